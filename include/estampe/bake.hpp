@@ -21,23 +21,23 @@ struct BakeSettings {
     uint32_t samples = 128; ///< Light paths traced from each texel; at least 1
     uint32_t bounces = 3;   ///< Largest number of reflections in one light path
     uint32_t seed = 1;      ///< Seed of the random numbers; another seed gives different noise
-    bool smooth = true;     ///< Denoises the map between neighbouring texels of one surface
-    /// Kinds of lights whose direct light is also stored in the map; bits of BakedLights.
+    bool smooth = true; ///< Denoises the map; each texel is averaged with neighbouring texels of its surface
+    /// Kinds of lights, as bits of BakedLights; their direct light is also stored in the map.
     uint32_t direct = 0;
     float sky = 1.0F; ///< Factor on the ambient light that the style sets; 0 or more
 };
 
 /// Progressive baking of one lightmap.
 ///
-/// The lights are those of a picture of the scene in this style: the scene's own lights, or the default sun
-/// or lamp of a scene without any, and the ambient light, which comes from the sky and which objects can
-/// block. Surfaces reflect light diffusely, in the colour of their material. Movable objects and masked or
+/// A bake uses the lights with which a picture of the scene is drawn in this style: the scene's own lights,
+/// or the default sun or lamp if the scene has no lights. Ambient light comes from the sky, and objects can
+/// block it. Surfaces reflect light diffusely, in the colour of their material. Movable objects and masked or
 /// see-through triangles are left out.
 ///
-/// Each texel holds irradiance over pi, on the side that the normals point to: light that arrives after at
-/// most `bounces` reflections, and direct light from the sky, from emissive materials and from lights of the
-/// kinds in BakeSettings::direct. The same scene, style and settings give the same bytes, for any number of
-/// threads and of calls of work().
+/// Each texel holds irradiance over pi on the front of the surface (the side of its normals). It contains
+/// light that arrives after at most `bounces` reflections, and direct light from the sky, from emissive
+/// materials and from lights of the kinds in BakeSettings::direct. The same scene, style and settings give
+/// the same bytes, for any number of threads and of calls of work().
 ///
 /// Source  Kajiya, "The Rendering Equation", 1986; Veach and Guibas, "Optimally Combining Sampling Techniques
 ///         for Monte Carlo Rendering", 1995

@@ -13,11 +13,12 @@ namespace estampe {
 enum class ClothSolver : uint8_t {
     automatic,   ///< Chooses the solver for the program: `small_steps`
     small_steps, ///< Extended position-based dynamics: many short steps with one iteration each
-    /// Verlet integration: one step with many relaxation iterations (Zanuttini, "Recherches en rendu non
-    /// réaliste temps réel", Université Paris 8, 2008, chapter 7). Finer meshes stretch more.
+    /// Verlet integration with one long step with many relaxation iterations (Zanuttini, "Recherches en rendu
+    /// non réaliste temps réel", Université Paris 8, 2008, chapter 7). Finer meshes stretch more.
     verlet,
     /// Chen, Liu, Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024: moves one vertex after another to
-    /// the minimum of its part of the energy. Vertices of one colour of the graph run in parallel.
+    /// the minimum of its part of the energy. Vertices are coloured so that vertices of one colour do not
+    /// depend on each other; these run in parallel.
     block_descent,
 };
 
@@ -26,7 +27,7 @@ struct Cloth {
     float density_kg_m2 = 0.15F;
     float stretch_n_m = 8000.0F; ///< Force per metre of width that would double the length
     float bending_n_m = 3e-5F;   ///< Flexural rigidity: torque per metre of width for a curvature of 1 / m
-    /// Smallest distance between two vertices that are two edges apart, as a share of their distance at rest:
+    /// Smallest distance between two vertices that are two edges apart, as a share of their distance at rest.
     /// 0 allows sharp creases, 1 allows no fold at all.
     float fold = 0.9F;
     float drag = 1.2F; ///< Aerodynamic drag coefficient of the sheet, for air that hits it head-on
@@ -50,16 +51,16 @@ struct Cloth {
     bool operator==(const Cloth& other) const = default;
 };
 
-/// Shape that cloth collides with in place of an object: the smallest solid of this kind around the object's
-/// mesh, or the mesh at rest. The shape moves with the object's node.
+/// Shape that replaces an object when cloth collides with the object. The shape is the mesh at rest, or the
+/// smallest solid of the named kind that contains the mesh. The shape moves with the object's node.
 enum class ClothCollider : uint8_t {
     none,
     box,
     ellipsoid,
     cylinder, ///< The smallest upright cylinder around the mesh, with its axis along y
     capsule,  ///< The smallest upright cylinder with hemispherical ends around the mesh
-    /// The collider is the mesh itself, at a resolution of 1/40 of its longest side. The mesh should be
-    /// closed, but small holes do no harm. Skins and morph targets do not deform this collider.
+    /// The collider is the mesh itself, sampled on a grid with cells of 1/40 of its longest side. The mesh
+    /// should be closed, but small holes do no harm. Skins and morph targets do not deform this collider.
     mesh
 };
 

@@ -17,8 +17,8 @@ enum class LightChoice : uint8_t {
     lamp_and_daylight
 };
 
-/// Returns the light source for the view that framing_camera() chooses. A renderer may choose another light
-/// source for a camera inside a room. Cost: the same as framing_camera().
+/// Returns the light source for the view that framing_camera() chooses. For other views, such as from inside
+/// a room, a renderer may choose another light source. Cost: the same as framing_camera().
 [[nodiscard]] LightChoice default_light(const Scene& scene);
 
 } // namespace estampe

@@ -12,9 +12,10 @@ namespace estampe {
 /// Returns whether the file name has the extension of a film: .mp4, .webm or .gif.
 [[nodiscard]] bool is_film(const std::filesystem::path& path);
 
-/// Encodes a film frame by frame with the program ffmpeg: H.264 in .mp4, VP9 in .webm, both with 4:2:0
-/// colour by Rec. 709, or .gif with a palette made for the film. The same frames give the same bytes on the
-/// same machine. The film is written to a temporary file beside `path`, and renamed when it is complete.
+/// Encodes a film frame by frame with the program ffmpeg: H.264 in .mp4, VP9 in .webm, both with 4:2:0 colour
+/// by Rec. 709; or .gif, with a palette that is computed from the film. The same frames give the same bytes
+/// on the same machine. The film is written to a temporary file beside `path`, and renamed when it is
+/// complete.
 class FilmWriter {
 public:
     /// Starts ffmpeg. `has_alpha` keeps the transparency of the frames: .webm stores an alpha plane, .gif
@@ -29,10 +30,10 @@ public:
     FilmWriter(const FilmWriter&) = delete;
     FilmWriter& operator=(const FilmWriter&) = delete;
 
-    /// Adds the next frame; blocks while the encoder is behind. H.264 and VP9 require even sizes, so the last
-    /// row or column of an odd size is doubled. Throws Error if the frame has another size than the film, or
-    /// with ffmpeg's message if ffmpeg failed. Cost: one copy of the pixels; a .gif is kept in memory until
-    /// finish().
+    /// Adds the next frame of the film; waits while the encoder is behind. H.264 and VP9 require even sizes,
+    /// so the last row or column of an odd size is doubled. Throws Error if the frame has another size than
+    /// the film, or with ffmpeg's message if ffmpeg failed. Cost: one copy of the pixels; a .gif is kept in
+    /// memory until finish().
     void add(const Image& frame);
 
     /// Completes the film's file and renames it to its final name. Throws Error for the same reasons as

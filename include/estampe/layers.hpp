@@ -14,8 +14,9 @@
 
 namespace estampe {
 
-/// How a layer is composited onto the layers below it, in linear light. normal: colour + (1 - alpha) * below,
-/// with premultiplied colour. multiply: colour * below; alpha is 1 everywhere.
+/// Blend mode of a layer over the layers below it, in linear light. normal: the result is colour + (1 -
+/// alpha) * below, with premultiplied colour. multiply: the result is colour * below, and the layer's alpha
+/// is 1 everywhere.
 enum class LayerBlend : uint8_t { normal, multiply };
 
 /// One layer of a drawing: paper, wash, flowing ink, hatching or lines.
@@ -30,7 +31,8 @@ struct PictureLayer {
 /// Coverage of one object or effect, per pixel. Masks are not part of the picture.
 struct PictureMask {
     std::string name;
-    /// True: the mask shows a node of the scene. False: the mask shows the effect that `name` names.
+    /// True: the mask shows the coverage of a node of the scene. False: the mask shows the coverage of an
+    /// effect, such as "shadow".
     bool is_object = true;
     uint32_t above = 0; ///< Number of the picture's layers that lie below the mask
     uint32_t x = 0;     ///< Left edge of the mask's rectangle, which contains all covered pixels; in pixels
@@ -52,16 +54,16 @@ struct LayeredImage {
 };
 
 /// Composites the visible layers of `image` in linear light. The result is opaque unless the picture is
-/// transparent. Throws Error if there are no layers or if they differ in size. Cost: about 10 ms per
+/// transparent. Throws Error if there are no layers or if the layers differ in size. Cost: about 10 ms per
 /// megapixel and layer.
 [[nodiscard]] LinearImage flattened(const LayeredImage& image);
 
 /// Writes the layers and masks as an OpenRaster file, which Krita, GIMP and MyPaint open. Layers are visible,
 /// except the paper of a transparent picture; masks are hidden. All are stored as 8-bit PNG.
 ///
-/// OpenRaster composites sRGB-encoded values, not linear light, so colours and alphas are converted. An ink
-/// keeps its colour if a changed alpha gives the same result; elsewhere its colour changes. Programs then
-/// show the picture to within 1/255 per channel.
+/// OpenRaster composites sRGB-encoded values, not linear light, so colours and alphas are converted. Where a
+/// changed alpha alone gives the right result, an ink keeps its colour; elsewhere its colour is changed too.
+/// Other programs then show the picture with an error of at most 1/255 per channel.
 ///
 /// The file is written beside `path` and renamed. Throws Error as flattened() does, if the sizes differ, if
 /// the bottom layer is not opaque, and if the file cannot be written. Cost: about 2 s per megapixel. Source:
@@ -69,15 +71,16 @@ struct LayeredImage {
 void save_openraster(const LayeredImage& image, const std::filesystem::path& path);
 
 /// Writes the layers and masks of a picture as PNG files into a new folder. The file `layers.json` lists them
-/// from bottom to top: file, name, blend ("normal", "multiply"), visible, x, y, width, height. `bits` per
-/// channel of the layers are 8, or 16 for a composite that is exact to 1/65535; masks have 8. Throws Error as
-/// save_openraster() does, and if the folder exists and is not empty.
+/// from bottom to top: file, name, blend ("normal", "multiply"), visible, x, y, width, height. `bits` is the
+/// number of bits per channel of the layers: 8, or 16 if the composite must be exact to 1/65535. Masks have 8
+/// bits. Throws Error as save_openraster() does, and if the folder exists and is not empty.
 void save_layers(const LayeredImage& image, const std::filesystem::path& folder, int bits = 8);
 
 /// Writes one OpenEXR file in linear light: the picture as R, G and B, with A if it is transparent; each
 /// layer as NAME.R, NAME.G, NAME.B and NAME.A, with premultiplied colour; each mask as NAME.Y. The header
-/// attribute `estampe:layers` lists them in the form of layers.json. Dots in names become underscores, and
-/// names are made unique. Throws Error as flattened() does, and if the file cannot be written.
+/// attribute `estampe:layers` lists layers and masks in the form of layers.json. Dots in names become
+/// underscores, and names are made unique. Throws Error as flattened() does, and if the file cannot be
+/// written.
 void save_layers_exr(const LayeredImage& image, const std::filesystem::path& path,
                      ExrNumbers numbers = ExrNumbers::half);
 

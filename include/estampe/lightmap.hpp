@@ -45,10 +45,10 @@ struct Lightmap {
     /// Texture coordinates in the map for the corners of the static triangles, three per triangle: 0 to 1,
     /// from the top left.
     std::vector<glm::vec2> corners;
-    /// Fingerprint of the scene's static triangles, by which a renderer checks that the map belongs to the
+    /// Hash of the scene's static triangles. A renderer uses the hash to check that the map belongs to the
     /// scene.
     std::string geometry;
-    float exposure = 1.0F; ///< Factor that the scene's lights had when the map was baked
+    float exposure = 1.0F; ///< Factor on the intensity of the scene's lights when the map was baked
     /// Kinds of lights whose direct light is already in the map, as bits of BakedLights. A renderer does not
     /// add the direct light of these kinds a second time.
     uint32_t baked_lights = 0;
@@ -58,9 +58,10 @@ struct Lightmap {
     /// `light` to `settings` are ignored. The pictures hold linear light as displayed, where 1 is white,
     /// regardless of the exposure of the lights.
     std::vector<LightImage> pictures;
-    /// Lightmap picture of each node of the scene, including what the node inherits from its parents.
+    /// For each node of the scene: its lightmap picture, or the picture that the node inherits from its
+    /// parents.
     std::vector<std::optional<WornPicture>> of_node;
-    /// Lightmap picture of each material of the scene; used if the node has no lightmap picture.
+    /// For each material of the scene: its lightmap picture; only used if the node has no lightmap picture.
     std::vector<std::optional<WornPicture>> of_material;
     /// Lightmap picture of the whole scene; used if neither the node nor the material has one.
     std::optional<WornPicture> of_scene;
@@ -68,9 +69,9 @@ struct Lightmap {
     bool operator==(const Lightmap&) const = default;
 };
 
-/// Writes a baked lightmap as an OpenEXR picture in half floats, which any HDR program opens. The header
-/// holds the map's texture coordinates and settings. The file is written beside `path` and renamed. Throws
-/// Error if the file cannot be written.
+/// Writes a baked lightmap as an OpenEXR picture in half floats, which any HDR program opens. The header of
+/// the OpenEXR file holds the map's texture coordinates and settings. The file is written beside `path` and
+/// renamed. Throws Error if the file cannot be written.
 void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 
 /// Reads the lightmaps that a glTF file refers to; empty if it refers to none. A lightmap is given by
@@ -82,15 +83,15 @@ void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 ///     "extensions": {"MOZ_lightmap": {"index": 3, "texCoord": 1, "intensity": 1.0}}
 ///
 /// A uri is relative to the file, or a data uri. Pictures are OpenEXR (linear) or PNG, JPEG, WebP (sRGB).
-/// The scene may instead name a map made by `estampe bake`; nothing else in the file may then name a
-/// lightmap. KHR_texture_transform is not applied to the UVs. Unknown keys and values are ignored, and
-/// load_scene() warns of them. Throws Error with file and JSON pointer if a picture is missing or unreadable,
-/// or if a baked map is named beside other lightmaps. Cost: reads the file once more, and decodes it only if
-/// it names lightmaps.
+/// Instead of such pictures, the scene may name one map made by `estampe bake`. No node or material may then
+/// name a lightmap. KHR_texture_transform is not applied to the UVs. Unknown keys and values are ignored, and
+/// load_scene() warns of unknown keys. Throws Error with file and JSON pointer if a picture is missing or
+/// unreadable, or if a baked map is named beside other lightmaps. Cost: reads the file once more, and decodes
+/// it only if it names lightmaps.
 [[nodiscard]] std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file);
 
-/// Reads a lightmap file that save_lightmap() wrote. Throws Error that names the file if it is missing or
-/// damaged, or if it is an OpenEXR picture but no lightmap.
+/// Reads a lightmap file that save_lightmap() wrote. Throws Error that names the file if the file is missing
+/// or damaged, or is an OpenEXR picture without a lightmap.
 [[nodiscard]] Lightmap load_lightmap(const std::filesystem::path& path);
 
 } // namespace estampe

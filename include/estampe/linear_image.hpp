@@ -10,8 +10,8 @@
 
 namespace estampe {
 
-/// A picture in linear light: Rec. 709 primaries, white point D65, 1 is the white of a screen. The bright
-/// parts of paper texture are slightly above 1. Rows run from top to bottom.
+/// A picture in linear light: Rec. 709 primaries, white point D65, the value 1 is the white of a screen. The
+/// bright parts of paper texture are slightly above 1. Rows run from top to bottom.
 struct LinearImage {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -33,9 +33,10 @@ enum class ExrNumbers : uint8_t {
 };
 
 /// Writes `image` as PNG with 16 bits per channel, sRGB-encoded and marked as sRGB. Values above 1 become
-/// white. A transparent picture gets straight alpha, chosen so that programs that composite sRGB-encoded
-/// values onto its paper colour show the opaque drawing. The file is written beside `path` and renamed.
-/// Throws Error if the folder is not writable or the image is empty. Cost: about 150 ms per megapixel.
+/// white. A transparent picture gets straight (not premultiplied) alpha. Programs that composite its
+/// sRGB-encoded values onto the paper colour show the opaque drawing. The file is written beside `path` and
+/// renamed. Throws Error if the folder is not writable or the image is empty. Cost: about 150 ms per
+/// megapixel.
 void save_png(const LinearImage& image, const std::filesystem::path& path);
 
 /// Writes `image` as OpenEXR: R, G and B in linear light with the primaries in the header. A transparent

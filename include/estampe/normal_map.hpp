@@ -24,29 +24,29 @@ struct HeightMap {
 inline constexpr double most_relief = 10.0;
 
 struct NormalMapSettings {
-    double relief = 0.05; ///< Difference in height between 0 and 1, as a share of the picture's width
+    double relief = 0.05; ///< Difference between the heights 0 and 1, as a share of the picture's width
     /// The picture tiles: its left edge continues at the right edge, and its top at the bottom.
     bool wraps = true;
     /// The green channel points down as in Direct3D, not up as in glTF and OpenGL.
     bool is_green_down = false;
 };
 
-/// Reads the heights of a picture from its brightness: the stored values without conversion from sRGB,
-/// weighted by ITU-R BT.709. Alpha is ignored. A PNG with 16 bits per channel is read without loss, other
-/// pictures as load_image() reads them. Throws Error as load_image() does.
+/// Reads the heights of a picture from its brightness: the stored values of red, green and blue, weighted by
+/// ITU-R BT.709 without conversion from sRGB. Alpha is ignored. A PNG with 16 bits per channel is read at
+/// full precision. Other pictures are read by load_image(). Throws Error as load_image() does.
 [[nodiscard]] HeightMap load_height_map(const std::filesystem::path& path);
 
 /// Makes a normal map: computes the normal at each texel from the slopes of the heights. Red is x, to the
-/// right; green is y; blue is z, out of the surface; each from -1 to 1 as 0 to 255. Alpha is 255. Throws
-/// Error if the heights are empty or their number is wrong, or if the relief is not from 0 to `most_relief`.
-/// Cost: linear in texels.
+/// right; green is y; blue is z, out of the surface; each component from -1 to 1 is stored as 0 to 255. Alpha
+/// is 255. Throws Error if the heights are empty or their number is wrong, or if the relief is not from 0 to
+/// `most_relief`. Cost: linear in texels.
 ///
 /// Source  derivatives by the filter of Scharr, "Optimale Operatoren in der digitalen Bildverarbeitung", 2000
 [[nodiscard]] Image make_normal_map(const HeightMap& map, const NormalMapSettings& settings = {});
 
-/// Returns the difference between two neighbouring height values that the file can store, in texels. Above
-/// about 0.25 the normal map shows terraces; a picture with 16 bits per channel, or a smaller relief, avoids
-/// the terraces.
+/// Returns the difference between two neighbouring height values that the file can store, in texels of the
+/// picture's width. Above about 0.25 texels the normal map shows terraces. A picture with 16 bits per
+/// channel, or a smaller relief, avoids the terraces.
 [[nodiscard]] double height_step_texels(const HeightMap& map, const NormalMapSettings& settings);
 
 } // namespace estampe

@@ -21,9 +21,9 @@
 
 namespace estampe {
 
-/// How triangles are rasterised. Both paths find the same visible triangle in 99.99 % of pixels.
+/// How triangles are rasterised. Both paths find the same visible triangle in 99.99 % of the pixels.
 enum class RasterPath : uint8_t {
-    automatic, ///< Selects the faster path: measured when a GPU is opened, fixed on a processor
+    automatic, ///< Selects the faster path: by a measurement on a GPU; always the same path on a CPU
     hardware,  ///< Triangles are rasterised by the device's own rasteriser
     compute,   ///< Triangles are rasterised by compute shaders with 64-bit atomics
 };
@@ -36,7 +36,7 @@ struct DeviceInfo {
     uint32_t index = 0; ///< Number of the device for the option `--device`
     std::string name;   ///< Name of the device, such as "NVIDIA H200" or "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string driver; ///< Driver name and version
-    bool software = false;      ///< The device is software that runs on the processor
+    bool software = false;      ///< The device is software that runs on the CPU
     bool compute_raster = true; ///< The device supports RasterPath::compute
     bool usable = true;
     std::string why_not; ///< Reason why the device is not usable; empty if it is usable
@@ -47,7 +47,7 @@ struct DeviceInfo {
 
 /// Options of the constructor of Renderer.
 struct RendererOptions {
-    /// Device to draw on: "auto" (a GPU if there is one, else the processor), "cpu", or an index from
+    /// Device to draw on: "auto" (a GPU if there is one, else the CPU), "cpu", or an index from
     /// list_devices().
     std::string device = "auto";
     RasterPath raster = RasterPath::automatic;
@@ -80,17 +80,19 @@ struct RenderSettings {
     double time_s = 0.0;  ///< Time of the scene's animation that the picture shows
     Index animation = 0;
     Continuity continuity = Continuity::still;
-    /// One end of the exposure interval for motion blur; `time_s` is the interval's middle. Empty: the
-    /// interval begins half of the style's exposure time before `time_s`, with the same camera.
+    /// Camera and time at one end of the exposure interval for motion blur. The middle of the interval is
+    /// `time_s`. Empty: the interval begins half of the style's exposure time before `time_s`, with the same
+    /// camera.
     std::optional<Moment> exposure_end;
     /// If set, Renderer::motion() reports the motion from this moment to the picture.
     std::optional<Moment> motion_since;
-    /// Longest side of a tile in pixels, for pages that are drawn in overlapping tiles. 0: no tiles if the
-    /// device allows it, otherwise tiles of an automatic size. Only used by render() and render_bands().
+    /// Longest side of a tile in pixels, if the page is drawn in overlapping tiles. 0: the page is drawn
+    /// without tiles if the device allows it, otherwise in tiles of an automatic size. Only used by render()
+    /// and render_bands().
     uint32_t tile_px = 0;
     bool measure_solvers = false; ///< Measures the pressure solvers of fluids for Renderer::solver_reports()
     /// Measures the GPU time of each pass; see Renderer::timings(). Passes that usually overlap then run one
-    /// after another, so the frame takes about a tenth longer. The picture is the same.
+    /// after another, so the frame takes about a tenth longer. Measuring does not change the picture.
     bool time_passes = false;
 };
 
@@ -130,7 +132,7 @@ struct SolverReport {
     std::string solver;
     uint32_t steps = 0;
     /// Divergence of the fluid's velocity after the last projection, relative to the divergence before that
-    /// projection; a ratio of root mean squares. The solver "mass" does not project: its ratio is near 1.
+    /// projection; a ratio of root mean squares. The solver "mass" has no projection, so its ratio is near 1.
     double divergence_left = 0.0;
     double gpu_ms = 0.0; ///< GPU time of the pressure projections of all time steps
 };
@@ -138,8 +140,8 @@ struct SolverReport {
 struct VulkanHost;    // A Vulkan device of the host application; declared in estampe/vulkan.hpp
 struct VulkanPicture; // An image of the host application; declared in estampe/vulkan.hpp
 
-/// Draws scenes. A renderer owns a device or borrows the host application's. It is not thread-safe, but
-/// several renderers may exist side by side.
+/// Draws scenes. A renderer owns a Vulkan device, or uses a device of the host application. It is not
+/// thread-safe, but several renderers may exist side by side.
 class Renderer {
 public:
     /// Opens a device. Throws Error if no usable device matches, with a list of the devices and what each
@@ -147,7 +149,7 @@ public:
     explicit Renderer(const RendererOptions& options = {});
 
     /// Draws on a device of the host application. Only `raster` of `options` is used; the host enables
-    /// validation itself. Throws Error that says what the device lacks if it is not usable.
+    /// validation itself. If the device is not usable, throws an Error that says what the device lacks.
     explicit Renderer(const VulkanHost& host, const RendererOptions& options = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
@@ -158,8 +160,8 @@ public:
     /// The device that this renderer draws on.
     [[nodiscard]] const DeviceInfo& device() const;
 
-    /// The raster path of the last picture. Before the first picture, the path that the renderer intends to
-    /// use. Never RasterPath::automatic.
+    /// Returns the raster path of the last picture, or before the first picture the path that the renderer
+    /// intends to use. The result is never RasterPath::automatic.
     [[nodiscard]] RasterPath raster_path() const;
 
     /// Uploads `scene`, which replaces the previous scene. A `lightmap` adds its light to static objects.
@@ -168,14 +170,15 @@ public:
     void set_scene(const Scene& scene, const Lightmap* lightmap = nullptr);
 
     /// Replaces the terrain of the scene, including its graph, masks, mesh and colour; the rest of the scene
-    /// stays. With `at_once`, the next pictures evaluate the terrain's height graph with an interpreter until
-    /// its own shader is compiled in the background. Otherwise the next picture waits for the compilation.
-    /// Throws Error if the scene has no terrain or the new one does not fit the device; the old terrain then
-    /// stays. Cost: an upload of its textures; another mesh method rebuilds the triangles of the whole scene.
+    /// stays. If `at_once` is true, the next pictures evaluate the terrain's height graph with an interpreter
+    /// until its own shader is compiled in the background. Otherwise the next picture waits for the
+    /// compilation. Throws Error if the scene has no terrain or the new one does not fit the device; the old
+    /// terrain then stays. Cost: an upload of the terrain's textures. If the new terrain has another
+    /// TerrainMesh, the triangles of the whole scene are rebuilt.
     void set_terrain(const Terrain& terrain, bool at_once = false);
 
-    /// Presses footprints and drag marks into the terrain at the time of the next picture. They change the
-    /// tone of the ground within a square in front of the camera, and the wind fills them over time; see
+    /// Presses footprints and drag marks into the terrain at the time of the next picture. These marks change
+    /// the tone of the ground within a square in front of the camera. The wind fills the marks over time; see
     /// TerrainTrails. Stamps that are not finite or longer than 100 m are ignored. The last 4,096 stamps are
     /// kept; going back in time deletes them. Throws Error if the scene has no terrain. Cost: one workgroup
     /// per stamp on the device.
@@ -187,11 +190,12 @@ public:
     void set_brightness(std::span<const LightBrightness> lights);
 
     /// Places nodes, together with their descendants and the meshes that they skin. A node has its new place
-    /// from `time_s` on; between the time of its previous place() and `time_s` it is interpolated. Placement
-    /// overrides animation, and deletes placements of later times. The placements of the last 12 seconds are
-    /// kept, for motion blur, flowing ink and trails of particles. Throws Error if there is no scene, a node
-    /// does not exist, or a place is not finite. Cost: linear in nodes. The first placement of nodes that no
-    /// animation moves rearranges the scene's buffers, at a fraction of the cost of set_scene().
+    /// from `time_s` on. Between the time of the node's previous place() and `time_s` its place is
+    /// interpolated. Placement overrides animation, and deletes placements of later times. The placements of
+    /// the last 12 seconds are kept, for motion blur, flowing ink and trails of particles. Throws Error if
+    /// there is no scene, a node does not exist, or a place is not finite. Cost: linear in nodes. The first
+    /// placement of nodes that no animation moves rearranges the scene's buffers, at a fraction of the cost
+    /// of set_scene().
     void place(std::span<const NodePlace> places, double time_s);
 
     /// Returns whether the shader of a terrain that was set with `at_once` is still being compiled. The first
@@ -199,21 +203,21 @@ public:
     [[nodiscard]] bool is_terrain_compiling() const;
 
     /// Draws the scene. The picture is opaque, or has straight alpha if the style sets `paper.transparent`.
-    /// Composited in sRGB-encoded values onto the style's paper colour, as programs do, it equals the opaque
-    /// picture to within 1/255.
+    /// If other programs composite the transparent picture onto the style's paper colour, in sRGB-encoded
+    /// values, the result equals the opaque picture to within 1/255.
     ///
     /// Identical scenes, cameras, styles and settings give identical bytes on one device and raster path. A
     /// film gives the same bytes if its frames are drawn in order from the first. Pages that are too large
-    /// for the device are drawn in tiles without seams: lines are linked for the whole page, at up to 16.7
-    /// megapixels. Each side may have up to 65535 pixels.
+    /// for the device are drawn in tiles without seams: on pages of up to 16.7 megapixels, lines are linked
+    /// across tiles. Each side may have up to 65535 pixels.
     ///
     /// Throws Error if the size is zero or too large, if no scene was set, if memory runs out, and if the
     /// page would need tiles but is part of a film or has `motion_since`.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
 
-    /// Draws the picture of render() in bands of rows, for pages larger than memory. Throws Error as
-    /// render() does; exceptions of the sink pass through. Memory: one band of `tile_px` rows, and the
-    /// device memory of one tile.
+    /// Draws the picture of render() in bands of rows, for pages larger than memory. Throws Error as render()
+    /// does; passes on exceptions of the sink. Memory: one band of `tile_px` rows, and the device memory of
+    /// one tile.
     void render_bands(const Camera& camera, const Style& style, const RenderSettings& settings,
                       const BandSink& sink);
 
@@ -223,44 +227,46 @@ public:
     void render_to(const VulkanPicture& picture, const Camera& camera, const Style& style,
                    const RenderSettings& settings);
 
-    /// Draws the picture of render() at the precision of composition, before it is rounded to bytes; about
-    /// 11 bits where ink is thin. If the style's paper is transparent, colours are premultiplied by alpha
-    /// and LinearImage::paper is set. Throws Error as render() does, and if the device cannot store so many
-    /// floats. Cost: as render(), and one more pass over the page.
+    /// Draws the picture of render() in linear light, without rounding the colours to bytes. Where ink is
+    /// thin, the colours are precise to about 11 bits. If the style's paper is transparent, colours are
+    /// premultiplied by alpha and LinearImage::paper is set. Throws Error as render() does, and if the device
+    /// cannot store so many floats. Cost: as render(), and one more pass over the page.
     [[nodiscard]] LinearImage render_linear(const Camera& camera, const Style& style,
                                             const RenderSettings& settings);
 
     /// Draws the picture of render() with its layers and masks. The layers are paper, wash (multiplied),
-    /// flowing ink if the style has any, hatch and lines; composited, they give the picture. In a
-    /// transparent picture the paper layer is hidden, and the wash has alpha in place of multiplying. The
-    /// masks are "shadow", where an object blocks the sun, "clouds", where clouds cover the sky, and one
-    /// mask per visible node, named after it. Several samples are averaged. Throws Error as render_linear()
-    /// does. Cost: as render(), and four more passes over the page; 86 bytes per pixel are read back.
+    /// flowing ink if the style has any, hatch and lines; together they give the picture. In a transparent
+    /// picture the paper layer is hidden, and the wash layer has alpha instead of being multiplied. The masks
+    /// are "shadow", where an object blocks the sun, "clouds", where clouds cover the sky, and one mask per
+    /// visible node, named after it. Several samples are averaged. Throws Error as render_linear() does.
+    /// Cost: as render(), and four more passes over the page; 86 bytes per pixel are read back.
     [[nodiscard]] LayeredImage render_layers(const Camera& camera, const Style& style,
                                              const RenderSettings& settings);
 
-    /// Returns the strokes of render() as paths: lines, and hatching that consists of lines. Paths follow
-    /// the picture of the given size to about a third of a pixel, so a larger size gives finer paths.
-    /// `samples` is ignored. No picture is drawn. Throws Error as render() does, and if the style draws
-    /// strokes without paths: strokes of a tonal art map, or lines that are detected in the image.
+    /// Returns the strokes of render() as paths: lines, and hatching that consists of lines. Paths deviate
+    /// from the lines of a picture of the given size by about a third of a pixel, so a larger size gives
+    /// finer paths. `samples` is ignored. No picture is drawn. Throws Error as render() does, and if the
+    /// style draws strokes without paths: strokes of a tonal art map, or lines that are detected in the
+    /// image.
     [[nodiscard]] VectorDrawing draw_strokes(const Camera& camera, const Style& style,
                                              const RenderSettings& settings,
                                              HiddenLines hidden = HiddenLines::left_out);
 
     /// Returns the state that the next frame of a film takes from earlier frames: lines, exposure, flowing
-    /// ink, smoke and cloth. With recall_film() another process continues the film with the same bytes. Empty
-    /// if the last frame was not part of a film; see RenderSettings::continuity. Cost: a copy from the device
-    /// of 5 bytes per pixel if lines are contour chains (linked edges of the mesh), and 20 to 32 bytes per
-    /// cell of smoke.
+    /// ink, smoke and cloth. With this state and recall_film(), another process can continue the film, and
+    /// draws the same bytes. Empty if the last frame was not part of a film; see RenderSettings::continuity.
+    /// Cost: a copy from the device of 5 bytes per pixel if lines are contour chains (linked edges of the
+    /// mesh), and 20 to 32 bytes per cell of smoke.
     [[nodiscard]] std::vector<std::byte> film_memory() const;
 
-    /// Restores the state that film_memory() returned, for a next frame with Continuity::follows. The bytes
-    /// must come from a renderer with the same scene on the same device. Throws Error if there is no scene,
-    /// or if the bytes do not come from such a renderer.
+    /// Restores the state that film_memory() returned, so that the next frame can continue the film
+    /// (Continuity::follows). The bytes must come from a renderer with the same scene on the same device.
+    /// Throws Error if there is no scene, or if the bytes do not come from such a renderer.
     void recall_film(std::span<const std::byte> memory);
 
-    /// Returns the motion vectors of the last picture since its RenderSettings::motion_since. Empty after
-    /// draw_strokes(), or if that setting was not set. Computing the motion does not change the picture.
+    /// Returns the motion vectors of the last picture, measured from the moment in
+    /// RenderSettings::motion_since. Empty after draw_strokes(), or if `motion_since` was not set. Computing
+    /// the motion does not change the picture.
     [[nodiscard]] const Motion& motion() const;
 
     /// Automatic decisions of the renderer for the last frame, one line of text each, such as the addition of
@@ -280,10 +286,11 @@ public:
     /// picture.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
-    /// Device memory in use by this renderer in bytes, including what it keeps for the next frame.
+    /// Returns the device memory in bytes that this renderer uses, including data that is kept for the next
+    /// frame.
     [[nodiscard]] uint64_t device_memory_bytes() const;
 
-    /// The frame graph of the last frame as Graphviz text, generated by this call.
+    /// Returns the frame graph of the last frame (its passes and their resources) as Graphviz text.
     [[nodiscard]] std::string graph_dot() const;
 
 private:

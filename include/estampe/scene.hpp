@@ -32,8 +32,9 @@ using Groups = uint16_t;
 /// Default groups of lights and objects.
 inline constexpr Groups all_groups = 0xffff;
 
-/// How an object interacts with lights. The links of a node and of its material are combined: the object has
-/// only the groups of both, and receives shadows only if both receive them.
+/// How an object interacts with lights. The links of a node and of its material are combined. The object has
+/// only the groups that node and material have in common, and receives shadows only if node and material both
+/// receive shadows.
 struct LightLinks {
     /// Groups of the lights that light the object; ambient light always lights it.
     Groups lit_by = all_groups;
@@ -57,7 +58,7 @@ struct Texture {
     Wrap wrap_v = Wrap::repeat;
 };
 
-/// Reference of a material to a texture, with UV set and transform: the texture is sampled at uv' = transform
+/// Reference of a material to a texture, with UV set and transform. The texture is sampled at uv' = transform
 /// * (u, v, 1).
 struct TextureRef {
     Index texture = no_index; ///< Index of the texture; no_index: the material has no such texture
@@ -82,7 +83,8 @@ struct ToonShade {
 struct Transmission {
     float share = 0.0F;       ///< Share of the light behind the object that passes, 0 to 1
     float thickness_m = 0.0F; ///< Thickness where the object has no back side
-    /// Distance in the object after which white light has the attenuation colour; 0: no attenuation.
+    /// Distance inside the object after which white light has the colour `attenuation_color`; 0: no
+    /// attenuation.
     float attenuation_m = 0.0F;
     /// Colour that white light has after the distance `attenuation_m` in the object, linear.
     glm::vec3 attenuation_color{1.0F};
@@ -97,7 +99,7 @@ struct Material {
     float normal_scale = 1.0F;
     TextureRef occlusion_texture;
     float occlusion_strength = 1.0F;
-    glm::vec3 emissive{0.0F}; ///< Emitted light, linear, including KHR_materials_emissive_strength
+    glm::vec3 emissive{0.0F}; ///< Emitted light, linear, multiplied by KHR_materials_emissive_strength
     TextureRef emissive_texture;
     float metallic = 1.0F;
     float roughness = 1.0F;
@@ -117,7 +119,8 @@ struct Material {
 /// Kind of the elements that a primitive lists.
 enum class Topology : uint8_t { points, lines, triangles };
 
-/// Morph target: offsets that are added to a primitive, scaled by the target's weight.
+/// Morph target: offsets of a primitive's vertices, which are added after they are multiplied by the target's
+/// weight.
 struct MorphTarget {
     std::vector<glm::vec3> position_offsets; ///< Offset of each vertex position; empty, or one per vertex
     std::vector<glm::vec3> normal_offsets;   ///< Offset of each vertex normal; empty, or one per vertex
@@ -140,17 +143,18 @@ struct Primitive {
     /// Weights of the joints of each vertex; the sum over both arrays is one.
     std::vector<glm::vec4> weights_0, weights_1;
     std::vector<uint32_t> indices; ///< Vertices of each element: 3 per triangle, 2 per line, 1 per point
-    /// Edges that the file marks to be drawn; empty, or one value per triangle: bit k marks the edge from
-    /// corner k to the next corner, as in EXT_mesh_primitive_edge_visibility.
+    /// Edges of the triangles that are drawn as lines because the file marks them. Empty, or one value per
+    /// triangle: bit k marks the edge from corner k to the next corner, as in
+    /// EXT_mesh_primitive_edge_visibility.
     std::vector<uint8_t> edge_marks;
     std::vector<MorphTarget> morph_targets;
     /// Only used for cloth: how strongly each vertex is held at its animated position (from its node, skin or
     /// morph targets); 0 is free, 1 is fixed. Empty: all vertices are free.
     std::vector<float> held;
-    /// Materials of the primitive in the variants of KHR_materials_variants: empty, or one material per entry
-    /// of Scene::variants; `no_index` keeps the default material.
+    /// For each entry of Scene::variants (KHR_materials_variants): the material of the primitive in this
+    /// variant; `no_index` keeps the default material. Empty if the primitive has no variants.
     std::vector<Index> variant_materials;
-    /// The value that `material` has without a variant. Set by apply_variant().
+    /// Material of the primitive when no variant is applied. Set by apply_variant().
     Index default_material = no_index;
 };
 
@@ -204,9 +208,9 @@ struct Skin {
 /// Kind of a light. Ambient light comes from all directions, and its node's place is ignored.
 enum class LightType : uint8_t { directional, point, spot, ambient };
 
-/// How the light of a lamp decreases with the distance d: 1 / d^2, or 1 - (d / range)^2 within the range, as
-/// if the light's volume were scaled to the unit sphere (Zanuttini, "Recherches en rendu non réaliste temps
-/// réel", Université Paris 8, 2008, chapter 4).
+/// How the light of a lamp decreases with the distance d: inverse_square is 1 / d^2. unit_volume is 1 - (d /
+/// range)^2 within the range, as if the light's volume were scaled to the unit sphere (Zanuttini, "Recherches
+/// en rendu non réaliste temps réel", Université Paris 8, 2008, chapter 4).
 enum class LightFalloff : uint8_t { inverse_square, unit_volume };
 
 /// Lit volume of a spot light: a cone, or a pyramid whose square base has its sides along the node's x and y.
@@ -258,8 +262,8 @@ struct AnimationChannel {
     AnimatedPath path = AnimatedPath::translation;
     Interpolation interpolation = Interpolation::linear;
     std::vector<float> times_s; ///< Times of the keys, in ascending order
-    /// Values of the keys. Floats per key: 3 for translation and scale, 4 (x, y, z, w) for rotation, or one
-    /// per morph target; three times as many for cubic splines.
+    /// Values of the keys. The number of floats per key is 3 for translation and scale, 4 (x, y, z, w) for
+    /// rotation, and one per morph target for weights. Cubic splines have three times as many.
     std::vector<float> values;
 };
 
@@ -279,7 +283,8 @@ struct Scene {
     std::vector<Texture> textures;
     std::vector<Material> materials; ///< Materials of the scene; at least one
     std::vector<Mesh> meshes;
-    /// Nodes of the scene, which form a forest: parents and children agree, and there are no cycles.
+    /// Nodes of the scene. Nodes form a forest: each child of a node has this node as its parent, and there
+    /// are no cycles.
     std::vector<Node> nodes;
     std::vector<Index> roots;
     std::vector<Skin> skins;
@@ -296,7 +301,8 @@ struct Scene {
     std::vector<std::string> missing_files; ///< Images that the file refers to but that could not be opened
     /// Metres per unit of length in the file, if the file gives this factor. The scene itself is in metres.
     std::optional<double> file_unit_m;
-    std::vector<std::string> warnings; ///< Repairs that were made while reading the file, one line each
+    /// Repairs made while the scene's file was read, one line of text each.
+    std::vector<std::string> warnings;
 };
 
 /// Returns the cloth material of a primitive, from its node or else from its material; null if the primitive
@@ -304,8 +310,8 @@ struct Scene {
 [[nodiscard]] const Cloth* cloth_of(const Scene& scene, const Node& node, const Primitive& primitive);
 
 /// Makes a rectangular sheet of cloth: a regular grid of columns x rows vertices, at least 3 x 3. The sheet
-/// spans `along_m` and `down_m` from `corner_m`; on its front side the turn from `along_m` to `down_m` is
-/// clockwise. UVs are metres on the sheet.
+/// begins at `corner_m`; its sides are the vectors `along_m` and `down_m`. Seen from the sheet's front side,
+/// the turn from `along_m` to `down_m` is clockwise. UVs are metres on the sheet.
 [[nodiscard]] Primitive cloth_sheet(uint32_t columns, uint32_t rows, const glm::vec3& corner_m,
                                     const glm::vec3& along_m, const glm::vec3& down_m);
 
@@ -321,8 +327,8 @@ enum class UpAxis : uint8_t { x, y, z, minus_x, minus_y, minus_z };
 struct LoadOptions {
     std::string variant; ///< Material variant, by name or index; empty: the default materials
     /// Axis of the file's coordinates that points up; the scene is rotated so that this axis becomes +y.
-    /// Empty: the axis that the file or its format defines, else y. FBX and COLLADA scenes are first rotated
-    /// by the axis that the file names.
+    /// Empty: uses the axis that the file or its format defines, else y. FBX and COLLADA scenes are first
+    /// rotated by the axis that the file names.
     std::optional<UpAxis> up;
 
     bool operator==(const LoadOptions& other) const = default;
@@ -330,9 +336,9 @@ struct LoadOptions {
 
 /// Reads a scene from a .gltf, .glb, .obj, .ply, .stl, .fbx or .dae file.
 ///
-/// Repairs what can be repaired, and lists the repairs in `Scene::warnings`. Throws Error with file and place
-/// (a JSON pointer or a byte offset) if the damage cannot be repaired. Allocates at most a small multiple of
-/// the file's size.
+/// Damage in the file is repaired if possible; `Scene::warnings` lists the repairs. Throws Error with file
+/// and place (a JSON pointer or a byte offset) if the damage cannot be repaired. Allocates at most a small
+/// multiple of the file's size.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Placement and morph weights of every node at one time.
@@ -386,33 +392,33 @@ struct Camera {
 /// Direction of the style's sun, for framing_camera(), which leaves room on the page for the shadow that this
 /// sun casts.
 struct SunBearing {
-    /// Direction of the sun in degrees, seen from above: 0 is +z, 90 is +x. The value holds for a camera that
-    /// looks from 35 degrees.
+    /// Direction of the sun in degrees, seen from above: 0 is +z, 90 is +x. The value is valid for a camera
+    /// that looks from an azimuth of 35 degrees.
     double azimuth_deg = -34.0;
     double elevation_deg = 45.0;
     /// The sun rotates with the camera if the framed view shows another side of the scene.
     bool turns = true;
-    bool rules = false; ///< The style's sun replaces the scene's own lights
-    bool throws = true; ///< The shadow of the sun is drawn, so the picture needs room for it
+    bool rules = false; ///< The style uses its own sun instead of the scene's lights
+    bool throws = true; ///< The sun casts a drawn shadow, so the picture needs room for the shadow
     /// The shadow falls on a blank ground below the scene, so it is visible without a floor. Empty: true
     /// unless the scene has a camera.
     std::optional<bool> on_blank_ground;
 };
 
-/// Automatic camera: a three-quarter view of the whole scene from slightly above, with a margin. It shows
-/// the side with most detail (the front, +z, unless another side has clearly more), and leaves room for the
+/// Automatic camera: a three-quarter view of the whole scene from slightly above, with a margin. It shows the
+/// side with most detail (the front, +z, unless another side has clearly more), and leaves room for the
 /// ground shadow of the scene's strongest directional light, or else of `sun`. A floor much wider than the
 /// objects on it may extend beyond the page. A room is seen through its open side, or through the wall that
-/// faces the camera; a closed house from a corner inside. `aspect` is width / height. Throws Error if the
-/// scene is too large, small or far away to be drawn. Cost: linear in vertices and triangles, about 0.1 s
-/// for half a million.
+/// faces the camera. A closed house is seen from a corner inside the house. `aspect` is width / height.
+/// Throws Error if the scene is too large, small or far away to be drawn. Cost: linear in vertices and
+/// triangles, about 0.1 s for half a million.
 [[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect,
                                     const SunBearing& sun = {});
 
 /// Parses "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho] [ortho=half_height]", in any order,
 /// separated by blanks. `fov` is vertical, 1 to 170. `ortho` selects parallel projection; its number is half
-/// the height in metres, by default that of the perspective view at the target. Throws Error that names the
-/// wrong part and shows a valid example.
+/// the height in metres, by default that of the perspective view at the target. If the text is not valid,
+/// throws an Error that names the wrong part and shows a valid example.
 [[nodiscard]] Camera parse_camera(const std::string& text);
 
 } // namespace estampe

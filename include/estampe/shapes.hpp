@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Procedural meshes: triangles with unit normals, counter-clockwise from outside. Texture coordinates are
-// metres on the surface, so that strokes have one scale everywhere. u runs along the direction in which a pen
-// would hatch the surface (courses of a wall, shafts of a column, rings of a turned form). Sizes are
-// positive, in metres. A count that is too low for a solid is raised to the least that makes one. Solids are
-// watertight once vertices at equal places are merged: seams repeat positions bit for bit. Each shape has its
-// lowest point at y = 0 and its centre on the y axis, unless its comment says otherwise. Cost: linear in
-// vertices, but quadratic in the corners of an extruded outline.
+// Procedural meshes. Triangles are counter-clockwise seen from outside, and normals have unit length. Texture
+// coordinates are metres on the surface, so that strokes have one scale everywhere. u runs along the
+// direction in which a pen would hatch the surface (courses of a wall, shafts of a column, rings of a turned
+// form). Sizes are positive, in metres. A number of segments that is too low for a solid is raised to the
+// smallest valid number. Solids are watertight if vertices at equal places are merged, because positions on
+// both sides of a seam are equal bit for bit. Each shape has its lowest point at y = 0 and its centre on the
+// y axis, unless its comment says otherwise. Cost: linear in vertices, but quadratic in the corners of an
+// extruded outline.
 
 #include <cstdint>
 #include <map>

@@ -28,9 +28,10 @@ public:
     Style& operator=(const Style&);
     Style& operator=(Style&&) noexcept;
 
-    /// Reads a preset or a TOML file by name, or several joined by '+', such as "comic+no-color": each part
-    /// overrides the parameters that it sets. Throws Error with file:line:column, the key, and the allowed
-    /// values; for an unknown name or key also the nearest known one.
+    /// Reads a style: a preset by its name, or a TOML file by its path. `name` may join several by '+', such
+    /// as "comic+no-color"; each part overrides the parameters that it sets. Throws Error with
+    /// file:line:column, the key, and the allowed values. For an unknown name or key, the Error also has the
+    /// nearest known one.
     [[nodiscard]] static Style load(const std::string& name);
 
     /// Applies one assignment of a style parameter, such as "hatch.contrast=12". Throws Error as load() does.
@@ -55,8 +56,8 @@ public:
     /// not valid.
     [[nodiscard]] SunBearing sun_bearing() const;
 
-    /// Returns the aspect (width / height) of the part of the page inside its margin, for framing_camera().
-    /// The vertical field of view of a camera covers this part.
+    /// Returns the aspect (width / height) of the page without its margin, for framing_camera(). A camera's
+    /// vertical field of view covers the page without its margin.
     [[nodiscard]] double window_aspect(uint32_t width, uint32_t height) const;
 
     /// Returns the manual of all parameters: name, type, range, default, unit and one line of help for each.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Endless ground defined by a graph of height functions, which is written as text and may change while a
-// program runs. The CPU evaluates the graph for queries, and the GPU evaluates it for the vertices.
+// Endless ground, defined by a graph of height functions. The graph is written as text and may change while a
+// program runs. The CPU evaluates the graph for queries, and the GPU evaluates it for vertices.
 
 #include <cstdint>
 #include <filesystem>
@@ -38,20 +38,20 @@ struct TerrainWind {
 
 /// How the ground is divided into triangles.
 enum class TerrainMesh : uint8_t {
-    /// Nested grids around the camera, each twice as coarse as the grid inside it; their vertices stay in
-    /// place.
+    /// Nested grids around the camera. Each grid has cells twice as large as those of the grid inside it. The
+    /// grids follow the camera in steps of whole cells, so that vertices do not slide over the ground.
     rings,
-    /// One uniform grid in front of the camera; the grid's position snaps to its cells and its rotation to
-    /// right angles.
+    /// One uniform grid in front of the camera. The grid moves in steps of whole cells and rotates in steps
+    /// of 90 degrees.
     grid,
     object ///< A mesh of the scene, displaced by the terrain's heights
 };
 
 /// Chooses when the heights of the ground's vertices are computed again.
 enum class TerrainUpdate : uint8_t {
-    moved,  ///< Again for a picture in which the camera has moved or time has advanced
-    always, ///< Again for every picture, for measurements
-    still   ///< Again only when the camera has moved, for a ground that does not change over time
+    moved,  ///< Only if the camera has moved or time has advanced since the last picture
+    always, ///< For every picture, so that the time of the computation can be measured
+    still   ///< Only if the camera has moved, for a ground that does not change over time
 };
 
 /// Resolution and extent of the terrain mesh.
@@ -88,9 +88,10 @@ struct TerrainRipples {
 
 /// Everything that a terrain file describes.
 struct TerrainDescription {
-    std::string name;              ///< Name of the terrain's file, for error messages
-    std::filesystem::path folder;  ///< Folder in which the terrain's textures are
-    std::vector<HeightNode> nodes; ///< Nodes of the height graph; the node named "height" gives the ground
+    std::string name;             ///< Name of the terrain's file, for error messages
+    std::filesystem::path folder; ///< Folder in which the terrain's textures are
+    /// Nodes of the height graph; the value of the node "height" is the ground's height.
+    std::vector<HeightNode> nodes;
     TerrainWind wind;
     TerrainMeshing meshing;
     TerrainLook look;
@@ -111,7 +112,7 @@ struct TerrainDescription {
 /// Writes a terrain as TOML that parse_terrain() reads back. Cost: linear in the length of the text.
 [[nodiscard]] std::string terrain_toml(const TerrainDescription& terrain);
 
-/// Height, slope and vertical speed of the ground at one place and time.
+/// Height, slope and vertical speed of the ground at a point and a time.
 struct HeightSample {
     double height_m = 0.0;
     glm::dvec2 slope{0.0};     ///< Slope of the ground: d height / dx and d height / dz
@@ -125,9 +126,9 @@ namespace terrain {
 struct Program;
 }
 
-/// A compiled terrain, which can be evaluated. Copies share the graph. The constructor throws Error with
-/// file, line and node if the graph has a cycle, an unknown node or argument, a missing texture, or a height
-/// that is not a number.
+/// A compiled terrain, whose height can be evaluated at any point. Copies share the graph. The constructor
+/// throws Error with file, line and node if the graph has a cycle, an unknown node or argument, a missing
+/// texture, or a height that is not a number.
 class Terrain {
 public:
     /// Reads the textures of `description` and compiles its graph.
@@ -141,14 +142,14 @@ public:
 
     /// First intersection of the ground with the ray from `from` along the unit vector `towards`, at most
     /// `reach_m` away. Empty if there is no intersection or if the ray starts below the ground. Can miss
-    /// features narrower than 1/500 of the ray's length. Cost: about 500 samples.
+    /// features narrower than 1/500 of the ray's length. Cost: about 500 evaluations of the terrain.
     [[nodiscard]] std::optional<glm::dvec3> hit(const glm::dvec3& from, const glm::dvec3& towards,
                                                 double reach_m, double time_s = 0.0) const;
 
-    /// Sets the content of the node `mask("name", ...)` of the height graph: as many texels per side as the
-    /// graph says, in rows along +x from the corner at -size / 2. Throws Error for an unknown name or a wrong
-    /// number of texels. Earlier copies of the terrain keep their content; pass the terrain to
-    /// Renderer::set_terrain() to show the change.
+    /// Sets the content of the node `mask("name", ...)` of the height graph: `heights` has one number per
+    /// texel, in rows along +x from the corner at -size / 2, with as many texels per side as the graph says.
+    /// Throws Error for an unknown name or a wrong number of texels. Earlier copies of the terrain keep their
+    /// content; pass the terrain to Renderer::set_terrain() to show the change.
     void paint_mask(std::string_view mask, const std::vector<float>& heights);
 
     /// The compiled height graph, as an internal program. For the library only.
@@ -161,9 +162,9 @@ private:
 
 struct Camera;
 
-/// A camera at the eye height of a rider, on a high place near the origin. The camera looks in a direction in
-/// which about a third of the visible ground is in shade. `towards_sun` points to the sun. Cost: 26,000
-/// samples, 0.1 s for a graph of twenty nodes.
+/// Returns a camera at the eye height of a rider, on a high place near the origin. The camera's direction is
+/// chosen so that about a third of the visible ground is in shade. `towards_sun` points to the sun. Cost:
+/// 26,000 samples of the terrain, 0.1 s for a graph of twenty nodes.
 [[nodiscard]] Camera terrain_camera(const Terrain& terrain, double time_s = 0.0,
                                     const glm::dvec3& towards_sun = {-0.4, 0.7, 0.6});
 

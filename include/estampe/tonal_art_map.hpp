@@ -24,11 +24,12 @@ using Gray8 = std::vector<uint8_t>;
 struct TonalArtMap {
     uint32_t size_px = 0;        ///< Texels per side of level 0; a power of two, 32 to 2048
     std::vector<float> darkness; ///< Intended mean coverage of each tone from light to dark, each in (0, 1)
-    /// Texels of each tone and mip level, as [tone][level]: level 0 has size_px per side, the last level 1.
+    /// Texels of each tone and mip level, as [tone][level]: level 0 has size_px texels per side, the last
+    /// level has 1.
     std::vector<std::vector<Gray8>> level_of_tone;
 
-    /// For each mip level: the darkness times 255 at which each texel turns to ink. Only filled if the order
-    /// of the strokes within a tone is known; empty for painted maps.
+    /// For each mip level and texel: the darkness, times 255, from which the texel is ink. Empty if the order
+    /// of the strokes within a tone is not known, as for painted maps.
     std::vector<Gray8> threshold_of_level;
 
     bool operator==(const TonalArtMap&) const = default;
@@ -41,9 +42,9 @@ struct PaintedMap {
 };
 
 /// Draws a tonal art map with the settings of the style's section [tam]; no device is required. `stroke` is a
-/// picture of one stroke, from left to right: its alpha is the ink of every stroke, or its darkness if the
-/// picture is opaque. The same style and picture give the same bytes. Throws Error if the style's values
-/// cannot be met or the picture has no ink.
+/// picture of one stroke, from left to right: the picture's alpha is the ink of every stroke, or the
+/// picture's darkness if it is opaque. The same style and picture give the same bytes. Throws Error if no map
+/// can be drawn with the style's values or the picture has no ink.
 ///
 /// Cost    1 s for 512 px and 6 tones, on one core Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
 [[nodiscard]] TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke = nullptr);
@@ -55,10 +56,10 @@ struct PaintedMap {
 /// or out of order.
 [[nodiscard]] PaintedMap load_tonal_art_map(const std::filesystem::path& path);
 
-/// Writes a tonal art map. The extension of `path` chooses the format: .tam, .dds, or with a trailing slash
-/// or no extension a folder of PNG files to paint over, with `tam.toml` beside them. The result appears only
-/// when it is complete. An existing folder must be empty. Throws Error if the map is not valid or cannot be
-/// written.
+/// Writes a tonal art map. The extension of `path` chooses the format: .tam, .dds, or or, with a trailing
+/// slash or no extension, a folder of PNG files that can be painted over. The folder also gets a file
+/// `tam.toml`. The result appears only when it is complete. An existing folder must be empty. Throws Error if
+/// the map is not valid or cannot be written.
 void save_tonal_art_map(const TonalArtMap& map, const std::filesystem::path& path);
 
 /// Returns whether save_tonal_art_map() would write a folder: `path` ends in a slash, is a folder, or has no

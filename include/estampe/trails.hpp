@@ -29,8 +29,8 @@ struct TrailStamp {
     [[nodiscard]] static TrailStamp disc(glm::dvec2 place_m, float radius_m, float depth_m);
     /// Makes the mark of an object that is dragged in a straight line.
     [[nodiscard]] static TrailStamp drag(glm::dvec2 from_m, glm::dvec2 to_m, float radius_m, float depth_m);
-    /// A shoe print of `length_m` centred on `place_m`, narrower at the heel. `towards` need not have unit
-    /// length.
+    /// Makes a shoe print that is `length_m` long, centred on `place_m` and narrower at the heel. The vector
+    /// `towards` points to the toes; its length does not matter.
     [[nodiscard]] static TrailStamp foot(glm::dvec2 place_m, glm::dvec2 towards, float length_m = 0.3F,
                                          float depth_m = 0.04F);
 };
@@ -49,12 +49,13 @@ struct TerrainTrack {
     std::string name;
     /// Points of the path as world x and z; a smooth curve passes through them.
     std::vector<glm::dvec2> path_m;
-    double pace_m_per_s = 1.4;     ///< Speed of the walker along the path
-    std::optional<double> start_s; ///< Time at which the walk begins; empty: the walk ends at time 0
-    double stride_m = 0.75;        ///< Distance between the prints of the left and the right foot
-    double foot_m = 0.4;           ///< Length of a footprint in loose sand
-    double depth_m = 0.07;         ///< Depth of a footprint or drag mark
-    double drag_m = 0.0;           ///< Width of the dragged object; 0: footprints instead of a drag mark
+    double pace_m_per_s = 1.4; ///< Speed of the walker along the path
+    /// Time at which the walk begins; empty: chosen so that the walk ends at time 0.
+    std::optional<double> start_s;
+    double stride_m = 0.75; ///< Distance between the prints of the left and the right foot
+    double foot_m = 0.4;    ///< Length of a footprint in loose sand
+    double depth_m = 0.07;  ///< Depth of a footprint or drag mark
+    double drag_m = 0.0;    ///< Width of the dragged object; 0: footprints instead of a drag mark
 
     bool operator==(const TerrainTrack&) const = default;
 };

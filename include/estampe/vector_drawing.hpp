@@ -51,14 +51,14 @@ struct VectorStroke {
     std::vector<VectorPoint> points; ///< Points of the stroke in drawing order: at least two, all on the page
 };
 
-/// A drawing as pen strokes. The order is always the same for the same scene and style.
+/// A drawing as pen strokes. The same scene and style always give the same order of strokes.
 struct VectorDrawing {
     float width_mm = 0.0F; ///< Width of the page
     float height_mm = 0.0F;
-    float hatch_width_mm = 0.0F; ///< Width of a hatching stroke at the usual pen pressure
+    float hatch_width_mm = 0.0F; ///< Width of a hatching stroke at normal pen pressure
     float dash_mm = 1.2F;        ///< Length of the dashes of hidden strokes
     float dash_gap_mm = 0.9F;    ///< Length of the gaps between the dashes of hidden strokes
-    /// Strokes of constant width have mitred corners; otherwise round corners.
+    /// True: strokes of constant width have mitred corners. False: round corners.
     bool has_mitred_corners = false;
     glm::vec3 paper_srgb{1.0F}; ///< sRGB colour of the paper, components from 0 to 1
     bool has_paper = true;      ///< A file of this drawing gets a background rectangle in the paper colour
@@ -78,10 +78,10 @@ struct SvgSettings {
 };
 
 /// Writes `drawing` as SVG in millimetres. Strokes become cubic curves that keep sharp corners; a stroke of
-/// constant width becomes a stroked line, others become filled shapes. Each kind is an Inkscape layer with
-/// one group per object, and hidden strokes have dashed layers of their own. The same drawing gives the same
-/// bytes. The file is written beside `path` and renamed. Throws Error if the page has no size or the folder
-/// is not writable. Cost: about 2 us per point.
+/// constant width becomes a stroked line, a stroke of varying width becomes a filled shape. Each kind of
+/// stroke is an Inkscape layer with one group per object, and hidden strokes have dashed layers of their own.
+/// The same drawing gives the same bytes. The file is written beside `path` and renamed. Throws Error if the
+/// page has no size or the folder is not writable. Cost: about 2 us per point.
 void save_svg(const VectorDrawing& drawing, const std::filesystem::path& path,
               const SvgSettings& settings = {});
 
@@ -93,15 +93,14 @@ struct PlotterWork {
     double lifted_mm = 0.0;
 };
 
-/// Measures the work of a plotter that draws the strokes in their order, all strokes of one pen before those
-/// of the next.
+/// Computes how far a plotter's pen travels. The plotter draws the strokes in their order, but all strokes of
+/// one pen before those of the next pen.
 [[nodiscard]] PlotterWork plotter_work(const VectorDrawing& drawing);
 
 /// Prepares a drawing for a plotter, whose pens have one width each. Hatching thinner than half its usual
-/// width is removed, so that the tone stays the same. Hidden strokes are cut into dashes. Strokes that
-/// repeat an earlier stroke, or that are shorter than the hatching width, are removed. Strokes are sorted by
-/// pen, then ordered and reversed to shorten the travel with the pen up. The same drawing gives the same
-/// order.
+/// width is removed, so that the tone stays the same. Hidden strokes are cut into dashes. A stroke is removed
+/// if it repeats an earlier stroke or is shorter than the hatching width. Strokes are sorted by pen, then
+/// ordered and reversed to shorten the travel with the pen up. The same drawing gives the same order.
 ///
 /// Cost    about 1 s for 20 000 strokes
 /// Source  Croes, "A Method for Solving Traveling-Salesman Problems", 1958 (2-opt)

@@ -26,7 +26,8 @@ enum class NamedView : uint8_t { front, back, left, right, top, bottom, isometri
 
 /// Direction, distance and projection of a view. The defaults show the front.
 struct ViewDirection {
-    /// Direction of the camera as seen from the subject: 0 is +z, which shows the front; 90 is +x.
+    /// Direction of the camera as seen from the subject: at 0 the camera looks from +z and shows the front,
+    /// at 90 from +x.
     double azimuth_deg = 0.0;
     /// Height of the camera above the horizon: 90 looks straight down, -90 straight up.
     double elevation_deg = 0.0;
@@ -48,7 +49,8 @@ struct ViewDirection {
 
 /// Parses a view direction from a text of the form "azimuth=degrees elevation=degrees [distance=metres]
 /// [target=x,y,z] [fov=degrees] [ortho] [ortho=half_height]", in any order, separated by blanks. Either
-/// azimuth or elevation is required. Throws Error that names the wrong part and shows a valid example.
+/// azimuth or elevation is required. If the text is not valid, throws an Error that names the wrong part and
+/// shows a valid example.
 [[nodiscard]] ViewDirection parse_view_direction(const std::string& text);
 
 /// Returns a camera that looks from a direction. The camera centres the whole subject on the page, with a
@@ -58,8 +60,8 @@ struct ViewDirection {
 [[nodiscard]] Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect,
                                  const ViewDirection& from);
 
-/// Returns a copy of `camera` with parallel projection. Objects at the depth of the point `focus` keep their
-/// size on the page. If `focus` is behind the camera, objects at the depth of the camera's target keep their
+/// Returns a copy of `camera` with parallel projection. Objects as far away as the point `focus` keep their
+/// size on the page. If `focus` is behind the camera, objects as far away as the camera's target keep their
 /// size.
 [[nodiscard]] Camera with_parallel_projection(const Camera& camera, const glm::dvec3& focus);
 

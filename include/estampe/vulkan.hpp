@@ -52,9 +52,9 @@ private:
 
 /// An image of the host application, for Renderer::render_to(): 2D, one layer, one sample, format
 /// VK_FORMAT_R8G8B8A8_UNORM or _SRGB (both receive the same sRGB bytes), created with
-/// VK_IMAGE_USAGE_TRANSFER_DST_BIT, of the size in RenderSettings. Its layout before may be any; its content
-/// is discarded. Alpha is 1, or straight if the style's paper is transparent: blend with
-/// VK_BLEND_FACTOR_SRC_ALPHA, or premultiply the colours for a swapchain that requires it.
+/// VK_IMAGE_USAGE_TRANSFER_DST_BIT, of the size in RenderSettings. The image may have any layout before
+/// render_to(); its content is discarded. Alpha is 1, or straight if the style's paper is transparent: blend
+/// with VK_BLEND_FACTOR_SRC_ALPHA, or premultiply the colours for a swapchain that requires it.
 struct VulkanPicture {
     VkImage image = VK_NULL_HANDLE;
     /// Layout that the image has after render_to().

@@ -30,7 +30,7 @@ public:
         all_.push_back({name, {eye.x, ground_m(eye) + over_m, eye.y}, target, fov_deg});
     }
 
-    /// Returns the highest place near `place`.
+    /// Returns the highest point of the sand near `place`.
     [[nodiscard]] glm::vec2 crest_near(const glm::vec2& place) const
     {
         constexpr int steps = 8;
@@ -121,7 +121,7 @@ constexpr double spacing_m = 0.25;
 constexpr double keys_a_s = 10.0;
 constexpr double held_s = 6.5; ///< Part of the film's minute during which the camera stands in the last hall
 
-/// Smooths a list of values with a Gaussian-like kernel. The values at both ends are unchanged.
+/// Smooths a list of values with a bell-shaped kernel. The first and the last value do not change.
 template <typename Value>
 std::vector<Value> smoothed(const std::vector<Value>& values, double width)
 {
@@ -130,7 +130,7 @@ std::vector<Value> smoothed(const std::vector<Value>& values, double width)
     std::vector<Value> result;
     result.reserve(values.size());
     for (int i = 0; i < count; ++i) {
-        // The kernel's window is symmetric, so that nothing is pulled inwards from the ends.
+        // The kernel's window is symmetric, so that values near the ends are not shifted along the list.
         const int most = std::min({reach, i, count - 1 - i});
         Value sum = values[static_cast<size_t>(i)];
         double weights = 1.0;
@@ -161,7 +161,7 @@ std::vector<glm::dvec3> resampled(const std::vector<glm::dvec3>& way)
     return even;
 }
 
-/// Straightens the camera's path where there is room, and rounds its turns.
+/// Smooths the camera's path: straightens it where there is room, and rounds its turns.
 void relax(std::vector<glm::dvec3>& way, const walk::Chart& chart)
 {
     constexpr int rounds = 400;
@@ -207,22 +207,24 @@ glm::dvec3 turned(const glm::dvec3& look, double yaw_rad)
 }
 
 /// Turns each view direction of the film's camera sideways by at most 50 degrees, in steps of 2.5 degrees, to
-/// where something is visible between the walls. Dynamic programming (Bellman) finds the directions of least
-/// total cost. Obstacles close in view, looking sideways and turning have costs.
+/// where the view between the walls is free. Dynamic programming (Bellman) finds the directions of least
+/// total cost. A direction costs more if an obstacle is near, if it points sideways, or if the camera must
+/// turn.
 void look_into_the_open(const std::vector<glm::dvec3>& eyes, std::vector<glm::dvec3>& looks,
                         const walk::Solids& solids)
 {
-    constexpr int most = 20; // Number of steps to one side, 2.5 degrees each
+    constexpr int most = 20; // Largest turn to one side, in steps of 2.5 degrees
     constexpr int half = 10; // Half of the field of view, in steps of 2.5 degrees
     constexpr int count = 2 * most + 1;
-    constexpr int quickest = 2; // Fastest turn, in steps per key
+    constexpr int quickest = 2; // Fastest turn of the camera, in steps of 2.5 degrees per key of the path
     constexpr double aside_cost = 0.25;
     constexpr double turn_cost = 0.16;
     const double step_rad = glm::radians(2.5);
     std::vector<std::array<double, count>> costs(eyes.size());
     std::vector<std::array<int, count>> from(eyes.size());
     for (size_t i = 0; i < eyes.size(); ++i) {
-        std::array<double, count + 2 * half> open{}; // Free sight in each direction, 0 to 1
+        // For each direction: free distance ahead, as a share from 0 to 1.
+        std::array<double, count + 2 * half> open{};
         for (size_t ray = 0; ray < open.size(); ++ray) {
             glm::dvec3 way = turned(looks[i], (static_cast<int>(ray) - most - half) * step_rad);
             for (const double rise : {-0.1, 0.2}) {
@@ -283,7 +285,8 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
     const double still_s = 0.0;
     const walk::Place place(solids, sand_of(desert, still_s));
     const auto sand_m = [&](double x, double z) { return desert.sample(x, z).height_m; };
-    // The camera flies over the dunes to this place and walks from there on.
+    // The film's camera starts at the viewpoint `arrival`, flies over the dunes to the avenue, and moves at
+    // walking height from there on.
     const estampe::Camera arrival =
         estampe::scene_camera(scene, estampe::pose_scene(scene, 0.0, estampe::no_index), "arrival");
     const glm::dvec2 avenue_m(0.4, 62.0);
@@ -293,13 +296,14 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
                                    glm::dvec2(-14.0, 93.0), glm::dvec2(-1.0, 78.0)}) {
         way.emplace_back(past.x, sand_m(past.x, past.y) + 0.9, past.y);
     }
-    // The film's camera moves as a wide body, which keeps the eye away from the obstacles that it passes.
+    // The film's camera is moved like a wide person, which keeps the eye away from the obstacles that it
+    // passes.
     const walk::Body body{.radius_m = 0.42F, .height_m = 2.05F};
     const walk::Chart chart(place, body, {avenue_m.x, sand_m(avenue_m.x, avenue_m.y), avenue_m.y},
                             {.low_m = {-34.0, -66.0}, .high_m = {32.0, 68.0}, .square_m = 0.25});
     const Room& last = plan.rooms[static_cast<size_t>(plan.last_room)];
     const glm::dvec2 end_m(last.middle_m());
-    // x of the camera's path below the western arcade.
+    // x coordinate of the camera's path in the roofed walk of the western arcade.
     const double walk_x = static_cast<double>(court_west_m) - 3.1;
     const std::array<glm::dvec2, 6> stations{{avenue_m,
                                               {0.0, static_cast<double>(court_south_m)},
@@ -332,7 +336,7 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
         speeds.push_back(speed_at(way[i]));
     }
     speeds = smoothed(speeds, 5.0 / spacing_m);
-    // The camera starts and stops gently.
+    // The camera starts and stops slowly.
     std::vector<double> passed_s{0.0};
     const double whole_m = spacing_m * static_cast<double>(way.size());
     for (size_t i = 1; i < way.size(); ++i) {
@@ -354,8 +358,8 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
         const double part = (time_s - passed_s[k - 1]) / std::max(passed_s[k] - passed_s[k - 1], 1e-9);
         return glm::mix(way[k - 1], way[k], glm::clamp(part, 0.0, 1.0));
     };
-    // The camera looks at a point ahead on its path. From afar it looks at the temple, and at the end up to
-    // the opening in the roof.
+    // The camera looks at a point ahead on its path. Far from the temple it looks at the temple, and at the
+    // end of the path it looks up to the opening in the roof.
     const int count = static_cast<int>(length_s * keys_a_s) + 1;
     std::vector<glm::dvec3> eyes;
     std::vector<glm::dvec3> looks;
@@ -397,7 +401,7 @@ estampe::Camera Flight::camera(double time_s) const
     const double t = at - static_cast<double>(i);
     const auto key = [&](size_t k) { return keys_.at(std::min(k, keys_.size() - 1)); };
     // The camera's keys are interpolated by a uniform B-spline, which has continuous acceleration and stays
-    // in the convex hull of its keys.
+    // between its keys (in their convex hull).
     const std::array<Key, 4> near{{key(i > 0 ? i - 1 : 0), key(i), key(i + 1), key(i + 2)}};
     const std::array<double, 4> weights{
         {(1.0 - t) * (1.0 - t) * (1.0 - t) / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,

@@ -28,7 +28,8 @@ struct Viewpoint {
     float vertical_fov_deg = 45.0F;
 };
 
-/// Returns viewpoints from outside to the last hall; each eye stands on the ground or floor below it.
+/// Returns viewpoints, ordered from outside the temple to the last hall. Each eye is at standing height above
+/// the ground or floor.
 [[nodiscard]] std::vector<Viewpoint> find_viewpoints(const Plan& plan, const Site& site,
                                                      const estampe::Terrain& desert);
 
@@ -40,14 +41,14 @@ public:
     /// second.
     Flight(const estampe::Scene& scene, uint64_t seed);
 
-    /// Returns the film's camera at a time of its minute; before and after the minute, the camera at the
-    /// nearer end of the path.
+    /// Returns the film's camera at a time of its minute. Before the minute, returns the camera at the start
+    /// of the path; after the minute, the camera at the end.
     [[nodiscard]] estampe::Camera camera(double time_s) const override;
 
     /// Returns the time at which the film's camera stops in the last hall.
     [[nodiscard]] double arrives_s() const { return arrives_s_; }
 
-    /// Returns the time at which the camera reaches the last hall, which makes the world end.
+    /// Returns the time at which the camera reaches the last hall, where the ending of the world begins.
     [[nodiscard]] std::optional<double> end_s() const override { return arrives_s_; }
 
 private:

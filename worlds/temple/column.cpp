@@ -18,8 +18,8 @@ namespace shapes = estampe::shapes;
 
 constexpr float turn_rad = 2.0F * std::numbers::pi_v<float>;
 
-/// The shaft of a column as a height field around its axis: flutes, slightly displaced drums, chips, a broken
-/// top.
+/// The shaft of a column, as distances of its surface from its axis: flutes, slightly displaced drums, chips,
+/// a broken top.
 class Shaft {
 public:
     Shaft(float radius_m, float height_m, int flutes, float wear, bool is_broken, Dice dice)
@@ -40,7 +40,7 @@ public:
         }
         const int chips = static_cast<int>(wear * 9.0F);
         for (int i = 0; i < chips; ++i) {
-            // A shaft is chipped mostly at the joints between its drums.
+            // A shaft is chipped mostly at the joints between its drums (the cylinders of stone).
             const auto joint = static_cast<size_t>(dice_.below(static_cast<int>(drums) + 1));
             chips_.push_back({turn_rad * dice_.share(), joints_m_[joint] + dice_.between(-0.2F, 0.2F),
                               radius_m * dice_.between(0.25F, 0.8F), radius_m * dice_.between(0.06F, 0.22F)});
@@ -66,7 +66,8 @@ public:
                 const float height = std::min(row, top_m(angle));
                 mesh.positions.push_back(place(angle, height));
                 mesh.normals.push_back(normal(angle, height));
-                // UVs let pen strokes go around the shaft, slightly rising, and bend into the flutes.
+                // UVs are chosen so that pen strokes run around the shaft, rise slightly, and bend into the
+                // flutes.
                 const float around =
                     radius_m_ * turn_rad * static_cast<float>(i) / static_cast<float>(columns);
                 mesh.uvs[0].emplace_back(around, height + 0.12F * around);
@@ -99,7 +100,7 @@ private:
         float radius = radius_m_ * (taper + swells_[drum]);
         if (flutes_ > 0) {
             const float phase = static_cast<float>(flutes_) * (angle + turns_[drum]) / turn_rad;
-            // Position across a flute: -1 and 1 at the ridges on both sides.
+            // Position across a flute: 0 in its middle, -1 and 1 at the sharp edges on both sides.
             const float across = 2.0F * (phase - std::floor(phase)) - 1.0F;
             radius *= 1.0F - 0.09F * (1.0F - across * across);
         }
@@ -175,7 +176,8 @@ private:
     std::array<float, 4> phases_{};
 };
 
-/// Base and capital of a column's shaft, as profiles of (radius, height) in radii of the shaft at that end.
+/// Base and capital of a column, as profiles of (radius, height). The unit is the radius of the shaft at its
+/// lower or upper end.
 struct Profile {
     std::vector<glm::vec2> base, capital;
     /// Heights of the lowest block (plinth) and of the topmost block (abacus).

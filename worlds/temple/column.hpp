@@ -16,14 +16,14 @@ struct Column {
     float radius_m = 0.7F; ///< Radius of the column's shaft at its foot
     float height_m = 7.0F; ///< Height of the column including base and capital
     int flutes = 20;       ///< Number of flutes; 0 for a plain shaft
-    float left = 1.0F;     ///< Share of the shaft that still stands; 1 includes the capital
+    float left = 1.0F;     ///< Share of the column's height that still stands; 1 includes the capital
     float wear = 0.4F;     ///< How much of the column has been chipped off, 0 to 1
     float lean_deg = 0.0F;
     float lean_to_deg = 0.0F; ///< Direction in which the column leans, in degrees: 0 is +z, 90 is +x
     uint64_t chance = 0;
 };
 
-/// Makes a random column, whole or broken.
+/// Chooses the proportions and the damage of a column at random.
 [[nodiscard]] Column throw_column(Dice& dice, float radius_m, float height_m, float ruin);
 
 /// Returns half the side length of the column's lowest block.

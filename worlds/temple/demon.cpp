@@ -116,8 +116,8 @@ void Demon::choose_goal(const glm::vec3& walker_m)
         goal_m_ = place_m_;
         rests_s_ = 0.5F;
     } else if (mood_ == Mood::shy) {
-        // The demon flees to the farthest of some places nearby, so that a demon against a wall slips past
-        // the visitor.
+        // The demon flees to the place nearby that is farthest from the visitor, so that a demon against a
+        // wall slips past the visitor.
         const glm::vec2 walker(walker_m.x, walker_m.z);
         float best = -1e9F;
         for (int i = 0; i < 12; ++i) {
@@ -133,7 +133,8 @@ void Demon::choose_goal(const glm::vec3& walker_m)
         }
         rests_s_ = 0.0F;
     } else if (goes_s_ += dt; glm::distance(place_m_, goal_m_) < 0.3F || goes_s_ > 14.0F) {
-        // The demon gives up on a goal that an obstacle may cover.
+        // The demon gives up on a goal that it does not reach in time, because an obstacle may cover the
+        // goal.
         rests_s_ -= dt;
         if (rests_s_ < 0.0F) {
             goes_s_ = 0.0F;
@@ -162,8 +163,8 @@ void Demon::move(float most_m_per_s)
 
 void Demon::keep_in_haunt()
 {
-    // The pushes are repeated, because pushing the demon out of a pillar may push it into a wall, and vice
-    // versa.
+    // The demon is pushed out of obstacles several times, because pushing it out of a pillar may push it into
+    // a wall, and vice versa.
     for (int round = 0; round < 4; ++round) {
         for (const glm::vec3& pillar : haunt_.pillars) {
             const glm::vec2 off = place_m_ - glm::vec2(pillar);
@@ -228,7 +229,8 @@ void Demon::drift(const glm::vec2& wind_m_per_s)
     for (size_t i = 0; i < joints_.size(); ++i) {
         const Strand& strand = strands()[i];
         std::vector<glm::vec3>& joints = joints_[i];
-        // Sleeves and ribbons hang from the shoulders, which trail behind the head as the body does.
+        // Sleeves and ribbons start at the shoulders. The shoulders follow the head with a delay, as the body
+        // does.
         const glm::vec3 lag = i == 0 ? glm::vec3(0.0F)
                                      : (joints_[0][1] - hung(-strands()[0].length_m * glm::vec3(0, 1, 0))) *
                                            (-strand.root_m.y / strands()[0].length_m);

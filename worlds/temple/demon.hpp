@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The demons of the temple: beings of ink and smoke. This file has the behaviour of one demon and the motion
-// of its body, simulated in steps of a sixtieth of a second; the same input always gives the same motion.
+// The demons of the temple: beings of ink and smoke. This file simulates the behaviour of one demon and the
+// motion of its body, in steps of a sixtieth of a second. The same input always gives the same motion.
 
 #include <array>
 #include <cstdint>
@@ -16,12 +16,13 @@
 
 namespace temple {
 
-/// Ground on which a demon stays: a rectangle without the pillars on it.
+/// Ground on which a demon moves: a rectangle, except the pillars that stand on it.
 struct Haunt {
-    /// Smallest x and z of the demon's middle, which keeps its own width away from walls.
+    /// Smallest x and z of the demon's middle. The demon's own width is subtracted, so that the demon does
+    /// not touch walls.
     glm::vec2 low_m{0.0F};
     glm::vec2 high_m{0.0F};
-    /// Pillars on the ground: x, z, and the distance that the demon's middle keeps.
+    /// Pillars on the ground: x, z, and the smallest distance of the demon's middle from the pillar's middle.
     std::vector<glm::vec3> pillars;
     int room = outside;      ///< Room of the prison in which the ground lies
     bool is_on_floor = true; ///< The ground is a floor of the prison, not sand
@@ -57,7 +58,7 @@ public:
     static constexpr float sees_m = 15.0F;    ///< A demon watches a visitor who is nearer than this
     static constexpr float shies_m = 5.5F;    ///< A demon retreats from a visitor who is nearer than this
     static constexpr float despairs_m = 2.2F; ///< A demon dissolves if a visitor stays nearer than this
-    /// Time for which the visitor must stay nearer than `despairs_m`.
+    /// Time for which the visitor must be nearer than `despairs_m` until the demon dissolves.
     static constexpr float despairs_s = 2.5F;
     static constexpr float dissolves_s = 4.5F;   ///< Time in which a demon dissolves
     static constexpr float half_width_m = 0.75F; ///< Distance that a demon of size 1 keeps from walls
@@ -102,7 +103,7 @@ public:
     /// Share of the demon's ink that is still in the body.
     [[nodiscard]] float body() const { return 1.0F - spilled_; }
 
-    /// Radius of the stain around the demon's foot; 0 after the demon is gone.
+    /// Radius of the stain of ink under the demon; 0 after the demon is gone.
     [[nodiscard]] float stain_m() const;
 
 private:

@@ -40,7 +40,7 @@ const std::vector<glm::vec3>& rest_joints()
     return all;
 }
 
-/// Index of a strand's first joint in rest_joints().
+/// Returns the index of a strand's first joint in the list of rest_joints().
 size_t first_joint(int strand)
 {
     size_t first = 0;
@@ -50,7 +50,7 @@ size_t first_joint(int strand)
     return first;
 }
 
-/// Joints that move a vertex of a demon: two joints and the weight of the second.
+/// Joints that move a vertex of a demon: two joints, and the weight of the second joint.
 struct Hold {
     size_t first = 0;
     size_t second = 0;
@@ -65,8 +65,8 @@ void add_vertex(Primitive& part, const glm::vec3& place, const glm::vec2& uv, co
     part.weights_0.emplace_back(1.0F - hold.share, hold.share, 0.0F, 0.0F);
 }
 
-/// Adds a band of triangles between two rows of vertices of equal number, the second directly after the
-/// first; closes the band to a ring.
+/// Adds a band of triangles between two rows of vertices. The second row is stored directly after the first.
+/// The band is closed to a ring.
 void add_band(Primitive& part, uint32_t first, uint32_t columns)
 {
     for (uint32_t i = 0; i < columns; ++i) {
@@ -150,7 +150,7 @@ void add_cloak(Primitive& part, Dice& dice)
 }
 
 /// Adds a demon's sleeve with a wide, torn end, or a ribbon that ends in a point. `root_m` and `end_m` are
-/// width and depth at both ends.
+/// the width and depth at the upper and at the lower end.
 void add_strand(Primitive& part, int number, const glm::vec2& root_m, const glm::vec2& end_m, Dice& dice)
 {
     const Strand& strand = strands()[static_cast<size_t>(number)];
@@ -268,7 +268,7 @@ Haunt sand_haunt(const Site& site, const glm::vec2& low, const glm::vec2& high, 
     for (const glm::vec3& drum : site.drums) {
         haunt.pillars.emplace_back(drum.x, drum.y, 1.9F + wide_m);
     }
-    haunt.pillars.emplace_back(-5.4F, -4.0F, 1.6F + wide_m); // The statue is an obstacle, too
+    haunt.pillars.emplace_back(-5.4F, -4.0F, 1.6F + wide_m); // The statue counts as a pillar as well
     for (const Sheet& sheet : site.sheets) {
         haunt.pillars.emplace_back(sheet.corner_m.x, sheet.corner_m.z, 0.3F + wide_m);
     }
@@ -329,7 +329,8 @@ Demons::Demons(const Plan& plan, const Site& site, const estampe::Terrain& deser
 void Demons::step(double seconds, const glm::dvec3& walker_m, const glm::vec2& wind_m_per_s)
 {
     owed_s_ += std::max(seconds, 0.0);
-    // The tolerance lets a simulation step that is due run despite rounding in the sum of times.
+    // The tolerance makes sure that a simulation step is done when it is due, despite rounding errors in the
+    // sum of times.
     for (; owed_s_ > Demon::step_s - 1e-9; owed_s_ -= Demon::step_s) {
         for (Demon& demon : all_) {
             demon.step(glm::vec3(walker_m), wind_m_per_s);
@@ -408,7 +409,7 @@ std::vector<estampe::NodePlace> Demons::places(Index first,
         const auto size = static_cast<double>(demon.haunt().size);
         const bool is_gone = demon.mood() == Mood::gone || (is_hidden && is_hidden(demon));
         const auto left = static_cast<double>(demon.body());
-        // A demon that dissolves grows thin and sinks.
+        // A demon that dissolves becomes thinner and sinks.
         const double thin = std::max(std::sqrt(std::max(left, 0.0)), 1e-3);
         const glm::dvec3 head(demon.head());
         const glm::dquat turned = facing(demon);
@@ -425,8 +426,8 @@ std::vector<estampe::NodePlace> Demons::places(Index first,
             const auto open = static_cast<double>(demon.eyes());
             put(glm::dvec3(rest_joints()[eye]), straight, {0.6 + 0.4 * open, std::max(open, 0.02), 1.0});
         }
-        // The emitters of smoke are rotated differently, but mostly upwards, so that no two streams look
-        // alike.
+        // The emitters of smoke point upwards, but each in a slightly different direction, so that no two
+        // streams look alike.
         for (size_t i = 0; i < wisps.size(); ++i) {
             const double lean = wisps[i].strand == 0 ? 0.5 : 1.1;
             const glm::dquat aside = glm::angleAxis(2.4 * static_cast<double>(i), glm::dvec3(0.0, 1.0, 0.0)) *

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All demons of a temple: where they are held, their nodes in the scene, and their effect on sand and page.
+// All demons of a temple: where they are held, their nodes in the scene, and their effects: hollows in the
+// sand, stains of ink on the page.
 
 #include <functional>
 #include <span>
@@ -18,8 +19,9 @@
 
 namespace temple {
 
-/// Returns the grounds of all demons: cells, shut ones first; one in the last hall; and some free ones in the
-/// court, on the avenue, by the giant statue and in the dunes.
+/// Returns the grounds on which the demons move, one per demon. Cells come first, shut cells before open
+/// ones. The others are one in the last hall, and some in the court, on the avenue, by the giant statue and
+/// in the dunes.
 [[nodiscard]] std::vector<Haunt> find_haunts(const Plan& plan, const Site& site);
 
 class Demons {
@@ -36,12 +38,12 @@ public:
 
     [[nodiscard]] std::span<const Demon> all() const { return all_; }
 
-    /// Adds the demons' nodes in their current state: bodies with skinned meshes, `wisp N` as emitters of
-    /// particles, and `stain N` as zones of ink. Appends two materials to the scene.
+    /// Adds the demons' nodes in their current state: bodies with skinned meshes, nodes named `wisp N` that
+    /// emit particles, and nodes named `stain N` from which ink flows. Appends two materials to the scene.
     void add_to(estampe::Scene& scene) const;
 
-    /// Returns the demons' current transforms of nodes, for Renderer::place(); `first` is the scene's node
-    /// `demon 0`. Demons for which `is_hidden` returns true have no size and emit no smoke.
+    /// Returns the demons' current transforms of nodes, for Renderer::place(); `first` is the index of the
+    /// scene's node `demon 0`. Demons for which `is_hidden` returns true have no size and emit no smoke.
     [[nodiscard]] std::vector<estampe::NodePlace>
     places(estampe::Index first, const std::function<bool(const Demon&)>& is_hidden = {}) const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Random numbers, and shapes with one material each, which are collected into meshes.
+// Random numbers, and a kit of shapes. Each shape has one material; shapes are collected into meshes.
 
 #include <cstdint>
 #include <span>
@@ -58,12 +58,13 @@ enum class Stuff : estampe::Index { stone, paving, marble, dark, iron, flame, re
 /// Returns the temple's materials, in the order of the enum Stuff.
 [[nodiscard]] std::vector<estampe::Material> materials();
 
-/// Direction of the pen strokes on a flat face: strokes run along `along`, with `up` to their left; both are
-/// unit vectors.
+/// Direction of the pen strokes on a flat face. Strokes run along the unit vector `along`; the unit vector
+/// `up` points to their left.
 struct Grain {
     glm::vec3 along{1.0F, 0.0F, 0.0F};
     glm::vec3 up{0.0F, 1.0F, 0.0F};
-    /// Shift of the strokes; differs between stones, so that their strokes begin at different places.
+    /// Shift of the strokes. It differs between stones, so that the strokes of neighbouring stones do not
+    /// line up.
     glm::vec2 offset_m{0.0F};
 };
 

@@ -101,7 +101,7 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
     const glm::ivec2 modules = room.last - room.first;
     switch (room.kind) {
     case RoomKind::cell:
-        // A cell's lamp hangs near the wall, out of the way.
+        // A cell's lamp hangs near the wall, so that it does not block the way.
         hanger.lamp(
             {middle.x + dice.between(-1.2F, 1.2F), floor_m + 2.5F, middle.y + dice.between(-1.2F, 1.2F)},
             ceiling, 6.0F);
@@ -129,7 +129,7 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
                                                 {high.x - in, high.y - in},
                                                 {low.x + in, high.y - in}}};
         for (size_t i = 0; i < corners.size(); ++i) {
-            // One fire in each of the two great halls casts shadows.
+            // In each of the two great halls, only one fire casts shadows.
             const bool throws_shadows = is_great && i == (room.kind == RoomKind::last ? 0U : 1U);
             if (is_great || i % 2 == 0) {
                 hanger.brazier({corners[i].x, floor_m, corners[i].y}, is_great ? 32.0F : 24.0F,

@@ -40,22 +40,22 @@ struct Lamps {
 
 [[nodiscard]] Lamps hang_lamps(const Plan& plan, uint64_t seed);
 
-/// The smoke over a brazier.
+/// A column of smoke over a brazier.
 struct Plume {
     glm::vec3 foot_m{0.0F};
     int room = 0;
 };
 
-/// Finds the columns of smoke over two braziers in the entrance and two in the last hall: in each room, over
-/// those farthest from the door through which a visitor comes.
+/// Finds the columns of smoke over two braziers in the entrance and two in the last hall: in each of these
+/// rooms, over the two braziers that are farthest from the visitor's door.
 [[nodiscard]] std::vector<Plume> find_plumes(const Plan& plan, uint64_t seed);
 
-/// Adds the smoke emitters `smoke N` to the scene; they have no size until they are placed.
+/// Adds the nodes `smoke N` to the scene, which emit smoke. Their size is 0 until smoke_places() places them.
 void add_smoke(estampe::Scene& scene, const std::vector<Plume>& plumes);
 
-/// Returns the transforms of the smoke emitters, for Renderer::place(); `first` is the scene's node `smoke
-/// 0`. Emitters in rooms out of sight, and those too far away to be more than a dot, have no size, so that
-/// they emit no smoke.
+/// Returns the transforms of the smoke emitters, for Renderer::place(); `first` is the index of the scene's
+/// node `smoke 0`. Emitters in rooms out of sight, or so far away that their smoke would be a dot, have size
+/// 0 and emit no smoke.
 [[nodiscard]] std::vector<estampe::NodePlace> smoke_places(estampe::Index first,
                                                            const std::vector<Plume>& plumes,
                                                            const glm::dvec3& eye_m,

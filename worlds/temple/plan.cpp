@@ -23,7 +23,7 @@ glm::vec2 corner_m(glm::ivec2 module)
             front_z_m - module_m * static_cast<float>(module.y)};
 }
 
-/// Divides the prison's ground into rooms: fills free modules (squares of the plan) with rectangles.
+/// Divides the prison's ground into rooms: covers free squares of the plan with rectangles.
 class Divider {
 public:
     explicit Divider(Dice& dice) : dice_(dice) { taken_.fill(false); }
@@ -115,7 +115,7 @@ float height_of(const Room& room, Dice& dice)
 std::vector<WallRun> find_walls(const Plan& plan)
 {
     std::vector<WallRun> walls;
-    // First the lines of the plan's grid along x, then those along z.
+    // The first pass takes the lines of the plan's grid along x, the second the lines along z.
     for (const bool is_along_x : {true, false}) {
         const int lines = is_along_x ? modules_z : modules_x;
         const int steps = is_along_x ? modules_x : modules_z;
@@ -176,8 +176,8 @@ Door door_in(const Plan& plan, const WallRun& wall)
     return door;
 }
 
-/// Opens doors in walls: doors that join all rooms into a random spanning tree (Kruskal), and a few more that
-/// close loops.
+/// Opens doors in walls. Some doors join all rooms into a random spanning tree (Kruskal), so that each room
+/// can be reached. A few more doors close loops.
 void open_doors(Plan& plan, Dice& dice)
 {
     struct Choice {
@@ -217,7 +217,7 @@ void open_doors(Plan& plan, Dice& dice)
         plan.doors.push_back(door_in(plan, wall));
         std::ranges::replace(group, b, a);
     }
-    // Cells that are not on the way to another room may be shut.
+    // A cell may be shut if no other room is reached through it.
     std::map<int, int> ways;
     for (const Door& door : plan.doors) {
         ++ways[door.a];
@@ -232,7 +232,7 @@ void open_doors(Plan& plan, Dice& dice)
     }
 }
 
-/// Finds the piers: they stand wherever walls end, as high as the highest of these walls.
+/// Finds the piers. A pier stands at each end of a wall, and is as high as the highest wall that ends there.
 std::vector<Post> find_posts(const std::vector<WallRun>& walls)
 {
     std::map<std::pair<float, float>, float> heights;
@@ -373,8 +373,8 @@ public:
         if (next.empty()) {
             return way;
         }
-        // Follows the path backwards: each square knows the step by which the search reached it from the
-        // goal.
+        // Follows the path backwards: for each square, `state_` says by which step the search reached the
+        // square from the goal.
         for (glm::ivec2 here = goal;; here -= steps[state_[index(here)]]) {
             way.push_back(low_m_ + cell_m * (glm::vec2(here) + 0.5F));
             if (here == start) {

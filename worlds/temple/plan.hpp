@@ -19,7 +19,7 @@ inline constexpr float module_m = 6.0F;
 inline constexpr int modules_x = 8;
 inline constexpr int modules_z = 6;
 inline constexpr float floor_m = 1.2F; ///< Height of all floors of the prison above the court
-/// Z of the prison's front; its rooms lie behind the front, towards -z.
+/// Z coordinate of the prison's front wall. Its rooms have smaller z.
 inline constexpr float front_z_m = -27.0F;
 inline constexpr float post_half_m = 0.7F; ///< Half the width of the piers where walls meet
 
@@ -32,7 +32,8 @@ enum class RoomKind : uint8_t {
     last,   ///< The last hall, which is the visitor's destination
 };
 
-/// A room of the prison: a rectangle of modules (squares of the plan); `last` is exclusive.
+/// A room of the prison: a rectangle of modules (squares of the plan); `last` is the first square beyond the
+/// room.
 struct Room {
     RoomKind kind = RoomKind::hall;
     glm::ivec2 first{0}, last{0};
@@ -94,8 +95,8 @@ struct Plan {
 
 [[nodiscard]] Plan make_plan(uint64_t seed);
 
-/// Finds a path for a walker of that radius from the portal to the middle of the last hall, on a grid of a
-/// quarter of a metre; empty if there is none.
+/// Finds a path for a walker of radius `radius_m` from the portal to the middle of the last hall, on a grid
+/// of a quarter of a metre; empty if there is no path.
 [[nodiscard]] std::vector<glm::vec2> find_way(const Plan& plan, float radius_m = 0.35F);
 
 } // namespace temple

@@ -14,7 +14,7 @@
 namespace temple {
 namespace {
 
-/// Returns the height of the remains of a wall in the open, by the position along the wall.
+/// Returns a function that gives the height of a ruined wall without a roof, by the position along the wall.
 std::function<float(float)> ruined_top(float height_m, float deep, Dice& dice)
 {
     const float phase = 6.0F * dice.share();
@@ -47,7 +47,8 @@ Kit build_run(const Plan& plan, const WallRun& run, Dice dice)
     }
     if (stands_open(plan, run)) {
         wall.top_m = ruined_top(run.height_m, dice.between(0.25F, 0.5F), dice);
-    } else if (run.a == outside || run.b == outside) { // Only the parapet of an outer wall is damaged
+        // Of an outer wall, only the parapet (its top edge) is damaged.
+    } else if (run.a == outside || run.b == outside) {
         wall.top_m = ruined_top(run.height_m, 1.3F / run.height_m, dice);
     }
     // Walls are built along +x; a wall along z begins at its end with the greater z.
@@ -115,7 +116,7 @@ void add_roof(Kit& kit, const Room& room, std::optional<glm::vec2> shaft)
     slab(to.x, from.y, high.x, to.y);
 }
 
-/// Adds beams above the columns of a room, from wall to wall.
+/// Adds the beams of a room, which lie on its columns and reach from wall to wall.
 void add_beams(Kit& kit, const Plan& plan, int index)
 {
     const Room& room = plan.rooms[static_cast<size_t>(index)];
@@ -247,23 +248,25 @@ std::vector<Thing> build_prison(const Plan& plan, uint64_t seed)
 
 namespace {
 
-constexpr float wider_m = 0.8F;  ///< Widening of a door, on either side, in visibility tests
-constexpr float within_m = 1.2F; ///< Distance from a door within which an eye counts as being in both rooms
-constexpr float above_m = 5.0F;  ///< Height of an eye above the floor from which roofs are visible from above
-constexpr float around_m = 60.0F; ///< Distance within which an eye above the roofs sees the holes in them
+/// In visibility tests, a door is wider than it is by this length on either side.
+constexpr float wider_m = 0.8F;
+constexpr float within_m = 1.2F; ///< An eye within this distance of a door counts as being in both rooms
+constexpr float above_m = 5.0F;  ///< An eye at this height above the floor sees the roofs from above
+/// Distance within which an eye above the roofs looks through the holes in them.
+constexpr float around_m = 60.0F;
 
 float cross(const glm::vec2& a, const glm::vec2& b)
 {
     return a.x * b.y - a.y * b.x;
 }
 
-/// A door of a room, as the line between its two sides.
+/// A doorway of a room, as the line between the two sides of the opening.
 struct Portal {
     int to = outside;
     glm::vec2 from_m{0.0F}, to_m{0.0F};
 };
 
-/// The directions between two directions, counter-clockwise from the first, less than half a turn.
+/// The range of directions from `first` counter-clockwise to `last`, less than half a turn.
 struct Wedge {
     glm::vec2 first{0.0F}, last{0.0F};
 };
@@ -288,7 +291,8 @@ public:
     [[nodiscard]] const std::vector<bool>& seen() const { return seen_; }
 
 private:
-    /// Returns the room in which an eye counts as standing: a room without a roof counts as outdoors.
+    /// Returns the room in which an eye counts as standing. The result is `outside` for a room without a
+    /// roof.
     [[nodiscard]] int place_of(int room) const
     {
         return room == outside || plan_.rooms[static_cast<size_t>(room)].is_roofed() ? room : outside;
@@ -357,7 +361,7 @@ private:
     const Plan& plan_;
     glm::vec2 eye_;
     std::vector<bool> seen_;
-    std::vector<bool> is_passed_; ///< Rooms on the line of sight that is being followed
+    std::vector<bool> is_passed_; ///< Rooms through which the current line of sight has passed
     bool is_outside_passed_ = false;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Builds the rooms of the prison's plan in stone, and computes which rooms are visible from a place by a
-// portal search: rooms are its cells and doors its portals.
+// Builds the rooms of the prison in stone, following the plan. Also computes which rooms are visible from a
+// place, by a portal search: the search follows lines of sight from room to room through doors.
 
 #include <string>
 #include <vector>
@@ -25,17 +25,17 @@ struct Thing {
 /// Builds the prison's walls and piers, and for each room its floor, roof, columns and bars.
 [[nodiscard]] std::vector<Thing> build_prison(const Plan& plan, uint64_t seed);
 
-/// Returns the centre of the opening in a hall's roof through which light falls; nothing if the roof has
-/// none.
+/// Returns the centre of the opening in a hall's roof through which light falls; nothing if the roof has no
+/// opening.
 [[nodiscard]] std::optional<glm::vec2> shaft_of(const Plan& plan, int room);
 
 inline constexpr float shaft_half_m = 0.9F;
 
-/// Tells for each room whether any part of it may be visible from a place. Doors count as 0.8 m wider on
-/// either side than they are, so that objects appear in the scene before they come into sight. Rooms without
-/// a roof count as outdoors. From outside, rooms are visible through doors and, from above the roofs within
-/// 60 m, through the holes in them. After Luebke and Georges, "Portals and Mirrors", 1995, in the plane.
-/// Cost: some microseconds.
+/// Tells for each room whether any part of it may be visible from a place. In this test doors are 0.8 m wider
+/// on either side, so that objects appear in the scene before they come into sight. Rooms without a roof
+/// count as outdoors. From outside, rooms are visible through doors. From above the roofs, within 60 m, rooms
+/// are also visible through the holes in their roofs. Source: Luebke and Georges, "Portals and Mirrors",
+/// 1995; here in two dimensions. Cost: some microseconds.
 [[nodiscard]] std::vector<bool> rooms_in_sight(const Plan& plan, const glm::vec3& eye_m);
 
 } // namespace temple

@@ -50,15 +50,15 @@ private:
     glm::vec3 waves_[4];
 };
 
-/// Returns the height of a sand bank against a wall, `way_m` from the wall: `high_m` at the wall, half as
-/// high at `half_way_m`.
+/// Returns the height of a sand bank at the distance `way_m` from a wall. The height is `high_m` at the wall,
+/// and half of `high_m` at the distance `half_way_m`.
 float bank_m(float way_m, float high_m, float half_way_m)
 {
     return high_m * std::exp2(-std::max(way_m, 0.0F) / half_way_m);
 }
 
-/// Returns the height of the sand banks against the walls on the windward and lee sides, higher in some
-/// places than in others.
+/// Returns the height of the sand banks at the walls on the windward and lee sides. The height varies along
+/// the walls.
 float banks_m(const glm::vec2& place, const Waves& waves)
 {
     const float uneven = 0.65F + 0.7F * waves.at(place, 26.0F);
@@ -80,11 +80,11 @@ float banks_m(const glm::vec2& place, const Waves& waves)
     const float along_court = glm::smoothstep(court_south_m + 5.0F, court_south_m - 4.0F, std::abs(place.y));
     const float before_west = place.x - (court_west_m + 0.5F);
     level = std::max(level, along_court * bank_m(std::abs(before_west), 1.5F * uneven, 1.5F));
-    // The eastern arcade stands in a sand bank of its own.
+    // The eastern arcade stands in a separate sand bank.
     const float from_east = place.x - court_east_m;
     level = std::max(
         level, along_court * bank_m(from_east > 0.0F ? from_east : -2.2F * from_east, 1.9F * uneven, 3.8F));
-    // Sand fills corners first.
+    // In corners, the sand is higher than along walls.
     const auto corner = [&](float x, float z, float high, float half_way) {
         level = std::max(level, bank_m(glm::distance(place, glm::vec2(x, z)), high, half_way));
     };
@@ -99,8 +99,8 @@ float banks_m(const glm::vec2& place, const Waves& waves)
     return level;
 }
 
-/// Returns the height of the sand that has blown in through the portal, above the floor: a heap on its sill
-/// that slopes to both sides, flat enough to walk over. Far below the floor where there is none.
+/// Returns the height above the floor of the sand that has blown in through the portal: a heap on the
+/// doorsill, flat enough to walk over. Where there is no such sand, returns a height far below the floor.
 float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
 {
     const glm::vec2 in = glm::vec2(1.0F, -1.0F) * (place - plan.doors.front().place_m);
@@ -108,8 +108,8 @@ float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
     return 0.42F - run - 0.16F * std::abs(in.x + 0.35F * in.y) + 0.06F * waves.at(place, 3.0F);
 }
 
-/// Factor that lowers the sand at doors: 0 in a doorway, 1 where high sand blocks no door. Changes no more
-/// steeply than a person can walk.
+/// Factor that lowers the sand at doors: 0 in a doorway, 1 where high sand blocks no door. The change is so
+/// gradual that a person can walk up the sand.
 float clear_of_doors(const Plan& plan, const glm::vec2& place)
 {
     float nearest_m = 100.0F;
@@ -119,7 +119,8 @@ float clear_of_doors(const Plan& plan, const glm::vec2& place)
     return glm::smoothstep(1.0F, 6.5F, nearest_m);
 }
 
-/// Returns the height of the sand inside the prison: below the floors, and above them where sand came in.
+/// Returns the height of the sand inside the prison. The sand is below the floors, except where it came in
+/// through the portal or a collapsed roof.
 float indoors_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
 {
     constexpr float hidden_m = floor_m - 1.4F;
@@ -148,8 +149,9 @@ std::string decimal(float value)
     return {text.data(), end};
 }
 
-/// Writes the nodes of the terrain's graph for a bowl with a rim of the displaced volume. A hollow without
-/// depth keeps the graph unchanged in form: it becomes too small to see.
+/// Writes nodes of the terrain's graph that make a hollow: a bowl, with a rim of the same volume of sand. A
+/// hollow without depth has the same nodes, but is too small to be seen, so that the compiled graph can be
+/// kept.
 std::string hollow_nodes(const std::string& number, const Hollow& hollow)
 {
     constexpr float least_m = 0.0002F;
@@ -162,8 +164,8 @@ std::string hollow_nodes(const std::string& number, const Hollow& hollow)
            ") + smoothstep(" + at(0.3F) + ", " + at(1.2F) + ", " + away + ") - 1)\"\n";
 }
 
-/// Makes the footprints of an earlier visitor: down the avenue, through the gate, past the obstacles in the
-/// court, to the stairs.
+/// Makes the track of footprints of an earlier visitor: down the avenue, through the gate, past the obstacles
+/// in the court, to the stairs.
 estampe::TerrainTrack pilgrim()
 {
     return {.name = "pilgrim",
@@ -191,7 +193,7 @@ float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m)
     if (distance_m(place_m, low, high) < 0.0F) {
         return indoors_m(plan, waves, place_m);
     }
-    // The sand in the court is level; outside the court the dunes begin to move.
+    // The sand in the court is level. Outside the court there are dunes, which move.
     const float out_m = distance_m(place_m, {court_west_m - 6.0F, front_z_m}, {court_east_m, court_south_m});
     const float way_m = std::abs(place_m.x) - 4.0F; // The avenue is fairly level
     const float wild = glm::smoothstep(2.0F, 30.0F, out_m) *
@@ -254,7 +256,7 @@ estampe::Terrain Desert::with(std::span<const Hollow> hollows, bool is_trodden) 
         "speed_m_per_s = " +
         decimal(calm_m_per_s) +
         "\n"
-        "[ripples]\n" // No ripples in the terrain, because the pen draws the ripples of the sand
+        "[ripples]\n" // The terrain has no ripples, because ripples of the sand are drawn as pen strokes
         "height_m = 0\n";
     estampe::TerrainDescription description = estampe::parse_terrain(text, "temple");
     if (is_trodden) {

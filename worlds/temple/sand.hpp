@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The desert around the temple, and the sand that has drifted against the walls and through the gaps.
+// The desert around the temple, and the sand that the wind has blown against the walls and through their
+// openings.
 
 #include <cstddef>
 #include <span>
@@ -33,8 +34,8 @@ public:
     Desert(const Plan& plan, uint64_t seed);
 
     /// Returns the desert with these hollows; only the first `most_hollows` count. Hollows are parameters of
-    /// the same height graph, so that a renderer can keep its compiled shader. With `is_trodden`, somebody
-    /// has walked down the avenue and into the temple before time 0, and left footprints. Cost: a copy of a
+    /// the same height graph, so that a renderer can keep its compiled shader. If `is_trodden`, the sand has
+    /// the footprints of somebody who walked down the avenue into the temple before time 0. Cost: a copy of a
     /// megabyte.
     [[nodiscard]] estampe::Terrain with(std::span<const Hollow> hollows, bool is_trodden = false) const;
 

@@ -43,7 +43,7 @@ Kit build_seated(Dice dice)
         add_block(kit, Stuff::marble, {side > 0 ? 2.7F : -3.3F, 0.9F, -3.8F},
                   {side > 0 ? 3.3F : -2.7F, 6.3F, 1.6F});
     }
-    // The remains of the statue's trunk, and one forearm on its armrest.
+    // The lower part of the statue's trunk, and one forearm on its armrest.
     limb(kit, {0.0F, 5.6F, -1.9F}, {0.0F, 8.0F, -2.1F}, 1.7F, 1.5F);
     limb(kit, {0.0F, 8.3F, -2.1F}, {0.5F, 9.4F, -2.2F}, 1.55F, 0.9F);
     limb(kit, {3.0F, 6.75F, -1.2F}, {3.0F, 6.7F, 1.4F}, 0.5F, 0.4F);
@@ -51,7 +51,7 @@ Kit build_seated(Dice dice)
     return kit;
 }
 
-/// Builds the giant's head, an egg whose only features are a brow and a nose; its centre is on y = 0.
+/// Builds the giant's head, an egg with a brow and a nose, and no other features; its centre is on y = 0.
 Kit build_head(float radius_m)
 {
     Kit kit;
@@ -69,7 +69,7 @@ Kit build_head(float radius_m)
     return kit;
 }
 
-/// Builds a giant's hand that reaches up, from the wrist on.
+/// Builds a giant's hand that reaches up out of the ground; it begins at the wrist.
 Kit build_hand(float length_m)
 {
     Kit kit;
@@ -171,8 +171,8 @@ void add_ring(Kit& kit, float radius_m, float foot_m, float height_m, int count)
     }
 }
 
-/// Builds a pylon: a square block of masonry beside the gate, with walls that lean inwards; in ruin its top
-/// has collapsed.
+/// Builds a pylon: a square block of masonry beside the gate, with walls that lean inwards; if `is_ruin`, its
+/// top has collapsed.
 Kit build_pylon(float height_m, bool is_ruin, Dice dice)
 {
     constexpr float half_m = 3.2F;
@@ -236,7 +236,8 @@ constexpr int portico_columns = 6;
 constexpr float step_run_m = 0.44F;
 constexpr float portico_pitch_m = 4.9F;
 
-/// Returns a row of arches: as many as fit between piers of at least this width.
+/// Returns a row of equal arches. Their number is the largest for which each pier between two arches is wide
+/// enough.
 std::vector<Arch> row_of_arches(float length_m, float half_m, float springing_m, float pier_m)
 {
     const int count = static_cast<int>((length_m - pier_m) / (2.0F * half_m + pier_m));
@@ -252,7 +253,7 @@ std::vector<Arch> row_of_arches(float length_m, float half_m, float springing_m,
     return arches;
 }
 
-/// Adds blocks to an arcade at the foot of its piers, and below the springing of its arches.
+/// Adds projecting blocks (imposts) to the piers of an arcade: at the foot, and where the arches begin.
 void add_imposts(Kit& kit, const Wall& wall)
 {
     const float z = 0.5F * wall.thickness_m + 0.1F;
@@ -423,7 +424,7 @@ void add_pole(Site& site, Kit& kit, const glm::vec3& foot, float height_m, const
     kit.add(Stuff::iron,
             rod(foot - glm::vec3(0, 2.5F, 0), foot + glm::vec3(0, height_m, 0), 0.08F, 0.055F, 8, 3));
     kit.add(Stuff::iron, shapes::sphere(0.17F, 10, 6), at(foot + glm::vec3(0, height_m + 0.12F, 0)));
-    // The flag's cloth starts in the direction of the wind.
+    // The flag's cloth initially points in the direction of the wind.
     const glm::vec3 along = cloth_m.x * glm::normalize(glm::vec3(-0.94F, 0.0F, -0.34F));
     site.sheets.push_back(
         {foot + glm::vec3(0.0F, height_m - 0.15F, 0.0F) + 0.02F * along, along, {0.0F, -cloth_m.y, 0.0F}});
@@ -497,7 +498,7 @@ std::vector<StandingColumn> stand_columns(uint64_t seed)
             }
         }
     }
-    // One column stands alone, far out, where visitors first see the temple.
+    // One column stands alone, far from the temple, where visitors first see the temple.
     Column lone = throw_column(dice, 0.85F, 9.0F, 0.0F);
     lone.flutes = 20;
     lone.left = 0.8F;

@@ -30,7 +30,7 @@ public:
         return node;
     }
 
-    /// Stores a mesh that several nodes may show, and returns its index.
+    /// Stores a mesh, which several nodes may use, and returns its index.
     Index keep(estampe::Mesh mesh)
     {
         scene_.meshes.push_back(std::move(mesh));
@@ -80,7 +80,7 @@ private:
     estampe::Scene scene_;
 };
 
-/// Adds a low sun in the east and a little south: long shadows fall across the court.
+/// Adds the sun: low in the east and a little south, so that long shadows fall across the court.
 void add_sun(Stage& stage)
 {
     constexpr double azimuth_deg = 66.0; // Direction of the sun: 0 is +z, 90 is +x

@@ -9,18 +9,19 @@
 namespace temple {
 namespace {
 
-constexpr double reach_m = 2.6; ///< Distance from the middle of the last hall at which the ending begins
+/// The ending begins when the visitor is nearer than this to the middle of the last hall.
+constexpr double reach_m = 2.6;
 constexpr double spreads_m_per_s = 5.5; ///< Speed at which the ending spreads from the last hall outwards
-constexpr double sinks_s = 4.0;         ///< Time in which a fire sinks to embers
-constexpr double embers = 0.07;         ///< Share of a fire's light that remains
-constexpr double low_flame = 0.22;      ///< Share of a flame's height that remains
+constexpr double sinks_s = 4.0;         ///< Time in which a fire becomes embers
+constexpr double embers = 0.07;         ///< Share of a fire's light that remains in the ending
+constexpr double low_flame = 0.22;      ///< Share of a flame's height that remains in the ending
 constexpr double day_grows = 2.4;       ///< Factor by which the daylight in the halls brightens
 constexpr double grows_s = 9.0;         ///< Time in which the daylight brightens
 constexpr double gratings_from_s = 2.0;
 constexpr double gratings_to_s = 9.0;
 constexpr double gratings_down_m = 2.7;
 
-/// Progress of a change: 0 before `from_s`, 1 after `length_s`, with a smooth transition.
+/// Returns the progress of a change: 0 before `from_s`, 1 from `length_s` later, with a smooth transition.
 double part(double now_s, double from_s, double length_s)
 {
     return glm::smoothstep(0.0, 1.0, (now_s - from_s) / length_s);
@@ -132,7 +133,7 @@ Tour::Tour(const Visit& visit, uint64_t seed)
     const Plan plan = make_plan(seed);
     std::vector<glm::dvec2> stations{{-1.2, 80.0}, {18.0, 98.0}, {-20.0, 90.0}, {0.0, 30.0},
                                      {-24.0, 2.0}, {13.0, 6.0},  {0.0, -19.0}};
-    // Sorts the rooms of the tour by the length of the path from the portal; the last hall comes last.
+    // The rooms of the tour, sorted by the length of the path from the portal. The last hall comes last.
     std::vector<size_t> rooms;
     for (size_t i = 0; i < plan.rooms.size(); ++i) {
         if (static_cast<int>(i) != plan.last_room && find_open(plan.rooms[i])) {

@@ -2,8 +2,8 @@
 #pragma once
 
 // A walk through the temple, the ending, and an automatic tour of the whole temple. The ending begins when
-// the visitor reaches the middle of the last hall: from there outwards, fires sink to embers, daylight grows
-// in the halls, and the gratings of the cells sink into the floor; no text appears.
+// the visitor reaches the middle of the last hall. First near this hall, then farther away, fires become
+// embers, daylight in the halls brightens, and the gratings of the cells sink into the floor.
 
 #include <cstddef>
 #include <cstdint>
@@ -68,8 +68,8 @@ private:
 /// Returns the parts of the scene that block a walker.
 [[nodiscard]] walk::Solids solids_of(const estampe::Scene& scene);
 
-/// Returns a function for the sand's height at the time `time_s`, which may advance; both arguments must
-/// outlive the result.
+/// Returns a function for the sand's height at the time `time_s`, which may change between calls; both
+/// arguments must outlive the returned function.
 [[nodiscard]] walk::SandAt sand_of(const estampe::Terrain& desert, const double& time_s);
 
 class Visit final : public worlds::Visit {
@@ -87,7 +87,8 @@ public:
 
     [[nodiscard]] const walk::Solids& solids() const { return solids_; }
 
-    /// Returns the seconds since the visitor reached the last hall; nothing before that.
+    /// Returns the seconds since the visitor reached the last hall; nothing if the visitor has not reached
+    /// it.
     [[nodiscard]] std::optional<double> since_arrival_s() const { return since_arrival_s_; }
 
     [[nodiscard]] bool has_arrived() const override { return since_arrival_s_.has_value(); }
@@ -111,7 +112,7 @@ public:
     /// Returns how the walker must move now to follow the tour.
     [[nodiscard]] walk::Intent intent();
 
-    /// Returns the number of completed rounds of the tour.
+    /// Returns how often the tour has been completed.
     [[nodiscard]] size_t rounds() const { return rounds_; }
 
     /// Returns the number of rooms on the tour that are not cells.

@@ -12,8 +12,8 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Returns the heights of the joints between the wall's courses (rows of stones): at the springing of the
-/// arches, and evenly spaced between.
+/// Returns the heights of the joints between the wall's courses (rows of stones): at the heights where the
+/// arches begin, and evenly spaced between these heights.
 std::vector<float> beds(const Wall& wall)
 {
     std::vector<float> fixed{0.0F, wall.height_m};
@@ -128,7 +128,7 @@ void find_open_sides(std::vector<Stone>& course)
     }
 }
 
-/// Lays the stones of the arches; of broken arches only those still attached to their piers.
+/// Lays the stones of the arches; if an arch is broken, only the stones near its piers.
 void lay_arches(const Wall& wall, Dice& dice, Laid& laid)
 {
     for (size_t i = 0; i < wall.arches.size(); ++i) {
@@ -142,7 +142,7 @@ void lay_arches(const Wall& wall, Dice& dice, Laid& laid)
         const bool stands_left = !wall.top_m || wall.top_m(arch.x_m - arch.half_m) > arch.springing_m;
         const bool stands_right = !wall.top_m || wall.top_m(arch.x_m + arch.half_m) > arch.springing_m;
         for (int k = 0; k < stones; ++k) {
-            // The stones of an arch are counted from +x: the right pier carries the first ones.
+            // The stones of an arch are counted from +x: the right pier carries the first stones.
             const bool holds =
                 laid.is_whole[i] || (k < right && stands_right) || (k >= stones - left && stands_left);
             if (!holds) {
@@ -175,7 +175,7 @@ Laid lay(const Wall& wall, Dice dice)
 {
     Laid laid;
     for (const Arch& arch : wall.arches) {
-        // An arch needs some wall above its crown.
+        // An arch stays whole only if some wall remains above its highest point.
         bool is_whole = true;
         for (const float side : {-1.0F, 0.0F, 1.0F}) {
             is_whole = is_whole && (!wall.top_m || wall.top_m(arch.x_m + side * arch.half_m) >
@@ -204,7 +204,7 @@ Laid lay(const Wall& wall, Dice dice)
 
 namespace {
 
-/// Tilts the shading normal of a stone's face, so that no two stones look alike.
+/// Tilts the shading normal of a stone's face a little at random, so that no two stones look alike.
 glm::vec3 hewn(const glm::vec3& normal, const glm::vec3& along, Dice& dice)
 {
     constexpr float lean = 0.045F;
@@ -212,8 +212,8 @@ glm::vec3 hewn(const glm::vec3& normal, const glm::vec3& along, Dice& dice)
     return glm::normalize(normal + dice.between(-lean, lean) * along + dice.between(-lean, lean) * up);
 }
 
-/// Returns half the width of an arch beside a stone at a height; the stones of the piers end where the arch's
-/// curve begins.
+/// Returns half the width of an arch beside a stone at a height; the sides of stones in the piers end where
+/// the arch's curve begins.
 float half_beside_m(const Arch& arch, const Stone& stone, float height_m)
 {
     return stone.low_m < arch.springing_m - 0.01F ? arch.half_m : cut_half_m(arch, height_m);
@@ -337,7 +337,8 @@ private:
         return false;
     }
 
-    /// Returns whether a joint is drawn: as in pen drawings, only clusters of joints are drawn.
+    /// Returns whether the joint at this point is drawn. As in drawings by hand, joints are drawn only in
+    /// groups.
     [[nodiscard]] bool is_drawn(float x_m, float y_m)
     {
         const float cluster = 0.5F + 0.5F * std::sin(0.61F * x_m + 1.7F * std::sin(0.23F * y_m + phase_)) *
@@ -377,7 +378,8 @@ private:
             }
             if (side < 0.0F) {
                 std::reverse(face.begin(), face.end());
-                // Reorders the stone's drawn edges to match the corners: top, right, bottom, left.
+                // Reorders the bits of the stone's drawn edges to match the order of the corners: top, right,
+                // bottom, left.
                 drawn = (drawn & 4U) >> 2U | (drawn & 2U) | (drawn & 1U) << 2U | (drawn & 8U);
             }
             kit_.add_face(Stuff::stone, face, normal, grain, drawn);

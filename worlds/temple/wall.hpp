@@ -10,7 +10,7 @@
 
 namespace temple {
 
-/// An opening of a wall: a round arch, or with `ring_m` 0 a door under a lintel.
+/// An opening of a wall: a round arch; if `ring_m` is 0, a door under a horizontal lintel.
 struct Arch {
     float x_m = 0.0F; ///< Middle of the arch along the wall
     float half_m = 1.5F;
@@ -25,7 +25,7 @@ struct Wall {
     float length_m = 10.0F;
     float height_m = 6.0F;
     float thickness_m = 1.0F;
-    float foot_m = -4.0F; ///< Lowest height of the wall, in the sand
+    float foot_m = -4.0F; ///< Lowest height of the wall, below the sand's surface
     float course_m = 0.62F;
     float stone_m = 1.35F;
     std::vector<Arch> arches;
@@ -39,7 +39,7 @@ struct Stone {
     float low_m, high_m;
     float left_m, right_m;
     int arch_left = -1, arch_right = -1;        ///< Arch that cuts the left or right side of the stone
-    bool ends_left = false, ends_right = false; ///< No other stone lies beside the left or right side
+    bool ends_left = false, ends_right = false; ///< No other stone touches the left or right side
 };
 
 /// A stone of an arch, between two angles counter-clockwise from +x around the centre of the arch.
@@ -54,14 +54,14 @@ struct Laid {
     /// Stones of the wall: courses from bottom to top, each from left to right.
     std::vector<std::vector<Stone>> courses;
     std::vector<Voussoir> voussoirs;
-    std::vector<bool> is_whole; ///< For each arch, whether it is not broken
+    std::vector<bool> is_whole; ///< For each arch: true if it is not broken
 };
 
 /// Decides where each stone of a wall lies. Removes stones that have no support.
 [[nodiscard]] Laid lay(const Wall& wall, Dice dice);
 
-/// Returns the distance at a height from an arch's middle to the nearest stones of the wall; 0 above the
-/// arch.
+/// Returns the horizontal distance, at a height, from the middle of an arch to the nearest stones of the
+/// wall. Above the arch the distance is 0.
 [[nodiscard]] float cut_half_m(const Arch& arch, float height_m);
 
 [[nodiscard]] Kit build_wall(const Wall& wall, const Laid& laid, Dice dice);

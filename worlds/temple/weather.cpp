@@ -17,7 +17,8 @@ namespace temple {
 namespace {
 
 constexpr double first_storm_s = 38.0;
-constexpr float usual_hour = 16.67F; ///< Hour of the day at which the sun is where the scene has it
+/// Hour of the day that corresponds to the position of the sun in the scene.
+constexpr float usual_hour = 16.67F;
 constexpr std::array<std::pair<std::string_view, WeatherKind>, 4> kinds{{{"calm", WeatherKind::calm},
                                                                          {"gusts", WeatherKind::gusts},
                                                                          {"storm", WeatherKind::storm},
@@ -120,7 +121,7 @@ double WeatherTimeline::wind_at(double time_s) const
 
 Tornado WeatherTimeline::tornado_at(double time_s) const
 {
-    // Place where the tornado begins, on the path of the wind, behind the temple.
+    // Place behind the temple where the tornado begins. It lies on the line along which the wind blows.
     constexpr glm::dvec2 from_m(78.0, -88.0);
     constexpr double lives_s = 32.0;
     const auto walked = [&](double share, double stray) {
@@ -139,7 +140,7 @@ Tornado WeatherTimeline::tornado_at(double time_s) const
     }
     const auto near = static_cast<int64_t>(std::floor((time_s - first_storm_s) / between_s + 0.5));
     for (int64_t number = std::max<int64_t>(near, 0); number <= near + 1; ++number) {
-        // A tornado comes before its sandstorm, and disappears in it.
+        // A tornado appears before a sandstorm, and disappears in the sandstorm.
         const double since_s = time_s - (storm_s(number) - 24.0);
         if (since_s > 0.0 && since_s < lives_s) {
             const double strength =
@@ -158,7 +159,8 @@ Weather WeatherTimeline::at(double time_s) const
                     .gusts = gusts_at(time_s),
                     .dust = dust_at(time_s),
                     .tornado = tornado_at(time_s)};
-    // Integrates the wind's speed over time: whole steps, each with its middle value, then the remainder.
+    // Integrates the wind's speed over time: whole steps, each with the speed in its middle, and a shorter
+    // last step.
     const double end_s = std::max(time_s, 0.0);
     const auto whole = static_cast<int64_t>(end_s / step_s);
     for (int64_t i = 0; i < whole; ++i) {
@@ -167,7 +169,8 @@ Weather WeatherTimeline::at(double time_s) const
     const double left_s = end_s - static_cast<double>(whole) * step_s;
     weather.blown_m += left_s * wind_at(static_cast<double>(whole) * step_s + 0.5 * left_s);
     const double veil = noise(seed_ + 13, time_s / 40.0);
-    // The cloud cover is rounded to invisible steps, so that clouds need not be rebuilt for every picture.
+    // The cloud cover is rounded in steps too small to be seen. Clouds are then rebuilt only when the rounded
+    // value changes, not for every picture.
     constexpr double cloud_steps = 1024.0;
     const double clouds = choice_.kind == WeatherKind::calm
                               ? 0.0
@@ -178,9 +181,9 @@ Weather WeatherTimeline::at(double time_s) const
     weather.clouds = static_cast<float>(std::round(cloud_steps * clouds) / cloud_steps);
     if (choice_.hour || choice_.hours_a_minute != 0.0F) {
         const auto from = static_cast<double>(choice_.hour.value_or(usual_hour));
-        // The sun moves on every fourth frame of a film, so that its shadows, which move at most a pixel in
-        // that time, are not drawn again for every picture. The tolerance puts a time on the border into the
-        // later step.
+        // The sun moves only on every fourth frame of a film, so that its shadows need not be drawn again for
+        // every picture. In this time the shadows move by a pixel at most. The tolerance assigns a time on
+        // the border of two steps to the later step.
         const double held_s = std::floor(sun_steps_a_s * end_s + 1e-6) / sun_steps_a_s;
         const double passed = static_cast<double>(choice_.hours_a_minute) * held_s / 60.0;
         weather.hour = static_cast<float>(std::fmod(from + passed, 24.0));
@@ -201,7 +204,7 @@ constexpr uint32_t skin_rows = 44;
 constexpr double whole_turn = 2.0 * std::numbers::pi;
 constexpr double hidden_deep_m = 200.0; ///< Depth below the ground at which an inactive tornado is hidden
 
-/// Returns the offset of the funnel's axis from its foot at a share of its height, along x and z.
+/// Returns the offset of the funnel's axis from its foot at `share` of the funnel's height, along x and z.
 glm::dvec2 funnel_sway_m(double share, double time_s)
 {
     const glm::dvec2 ahead(wind_way());
@@ -210,14 +213,14 @@ glm::dvec2 funnel_sway_m(double share, double time_s)
                     2.6 * std::sin(0.83 * time_s + 5.2 * share) * ahead);
 }
 
-/// Returns the radius of the tornado's funnel at a share of its height.
+/// Returns the radius of the tornado's funnel at `share` of the funnel's height.
 double funnel_radius_m(double share)
 {
     // The funnel has a thin foot, a trunk that widens slowly, and a wide top.
     return 0.8 + 3.2 * share + 11.0 * std::pow(share, 3.5) + 1.5 * std::exp(-60.0 * share * share);
 }
 
-/// Returns the rotation of the funnel at a share of its height, clockwise from above.
+/// Returns the rotation of the funnel at `share` of the funnel's height, clockwise from above.
 double funnel_turn_rad(double share, double time_s)
 {
     return 2.1 * time_s - 0.9 * share;
@@ -249,7 +252,8 @@ Primitive trunk(Index material)
 {
     Primitive part;
     part.material = material;
-    // Rise of a strand of sand per turn; pen strokes meet where the funnel's surface closes.
+    // Rise of a strand of sand per turn; with this value, pen strokes meet at the seam of the funnel's
+    // surface.
     constexpr double rises_m = 8.0;
     constexpr double tiny = 1e-3;
     for (uint32_t row = 0; row <= skin_rows; ++row) {
@@ -279,15 +283,15 @@ Primitive trunk(Index material)
     return part;
 }
 
-/// Returns the transforms of the funnel's nodes; `first` is the node `funnel`. The node after the last one
-/// belongs to the caller.
+/// Returns the transforms of the funnel's nodes. `first` is the index of the node `funnel`.
 std::vector<estampe::NodePlace> funnel_places(Index first, const Tornado& tornado, double ground_m,
                                               double time_s)
 {
     std::vector<estampe::NodePlace> places;
     const auto strength = static_cast<double>(tornado.strength);
     const bool is_there = strength > 0.03;
-    // The tornado descends from above as a thread, and disappears as a thread.
+    // The tornado grows from a thin thread that comes down from above. At its end the tornado becomes a
+    // thread again.
     const double grown = glm::smoothstep(0.0, 1.0, strength);
     const double lifted_m = is_there ? 0.5 * funnel_m * (1.0 - grown) : -hidden_deep_m;
     places.push_back({first,
@@ -348,7 +352,7 @@ constexpr int sand_side = 7; ///< Emitters along a side of the square grid of sa
 constexpr double sand_cell_m = 11.0;
 constexpr int whirls = 26; ///< Number of sand emitters around the tornado's foot and on its funnel
 constexpr int skirts = 14; ///< Number of the tornado's sand emitters that are around its foot
-constexpr int murks = 8;   ///< Number of emitters of ink
+constexpr int murks = 8;   ///< Number of emitters of ink clouds
 
 /// Returns a rotation that turns +y towards a direction.
 glm::dquat towards(const glm::dvec3& way)
@@ -368,8 +372,9 @@ double chance_of(int64_t x, int64_t z, uint64_t which)
 estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weather& weather,
                            const AirView& view)
 {
-    // Each sand emitter chooses, among the cells with its own number (modulo the grid's side), the cell
-    // nearest to the eye. When the eye moves on, cells that fall behind reappear in front.
+    // Each sand emitter has a number along x and along z. It is placed in the nearest cell of the ground with
+    // the same numbers (modulo the grid's side). When the eye moves on, an emitter that falls behind
+    // reappears in front.
     const auto nearest = [](double eye_m, int number) {
         const double cell = eye_m / sand_cell_m;
         return number + sand_side * static_cast<int64_t>(std::llround((cell - number) / sand_side));
@@ -397,7 +402,7 @@ estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weath
 }
 
 /// Returns the transform of an emitter that rotates with the tornado's funnel, at the distance `off_m` from
-/// its surface.
+/// the funnel's surface.
 estampe::NodePlace whirl_at(estampe::Index node, double share, double angle, double off_m, double size,
                             const Weather& weather, const AirView& view)
 {

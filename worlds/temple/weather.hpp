@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The temple's weather and time of day, as a random timeline: one wind for sand, flags and ink, gusts,
-// sandstorms that rise, hide the view and pass, tornadoes that wander by, clouds, and a moving sun. This file
-// also has the nodes that the wind moves: sand over the ground and in storms, and the funnel of a tornado.
+// The temple's weather and time of day, as a random timeline: wind, gusts, sandstorms, tornadoes, clouds and
+// a moving sun. The wind moves sand, flags and ink alike. This file also has the nodes that the wind moves:
+// emitters of sand, and the funnel of a tornado.
 
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +32,7 @@ enum class WeatherKind : uint8_t { calm, gusts, storm, tornado };
 /// State of a tornado at one time.
 struct Tornado {
     glm::vec2 foot_m{0.0F};
-    float strength = 0.0F; ///< Strength of the tornado: 0, no tornado, to 1
+    float strength = 0.0F; ///< Strength of the tornado, 0 to 1; 0: there is no tornado
 };
 
 /// The temple's weather at one time.
@@ -40,10 +40,11 @@ struct Weather {
     float wind_m_per_s = 7.0F;
     double blown_m = 0.0; ///< Distance that the wind has blown since time 0
     float gusts = 0.0F;   ///< Strength of the gusts, 0 to 1
-    float dust = 0.0F;    ///< Dust in the air, 0 to 1; at 1 one sees no farther than the length of a room
-    float clouds = 0.0F;  ///< Share of the sky that clouds cover
+    float dust = 0.0F; ///< Dust in the air, 0 to 1; at 1 the view reaches only as far as the length of a room
+    float clouds = 0.0F; ///< Share of the sky that clouds cover
     Tornado tornado;
-    std::optional<float> hour; ///< Hour of the day that sets the sun; nothing: the sun of the scene
+    /// Hour of the day from which the sun's position follows; nothing: the sun of the scene.
+    std::optional<float> hour;
 };
 
 /// Direction towards which the wind always blows: 0 is +x, 90 is +z.
@@ -57,7 +58,8 @@ inline constexpr float strongest_m_per_s = 19.0F;
 /// The weather that the user asked for.
 struct WeatherChoice {
     std::optional<WeatherKind> kind; ///< Kind of the weather; none: the kind changes over time
-    /// Hour of the day that sets the sun; nothing: the sun moves, or stands still in single pictures.
+    /// Hour of the day from which the sun's position follows. Nothing: the sun moves in films and walks, and
+    /// is the scene's sun in single pictures.
     std::optional<float> hour;
     float hours_a_minute = 0.0F; ///< Speed of the sun, starting from `hour` or from the scene's own hour
 };
@@ -88,21 +90,21 @@ private:
     WeatherChoice choice_;
 };
 
-/// Adds nodes for the air's motion: the particle emitters `sand N`, `whirl N` and `murk N`, the ink vortices
-/// `eddy N`, and the funnel of a tornado. Emitters and vortices have no size until they are placed.
+/// Adds the nodes that the wind moves: the particle emitters `sand N`, `whirl N` and `murk N`, the ink
+/// vortices `eddy N`, and the funnel of a tornado. Emitters and vortices have size 0 until they are placed.
 void add_air(estampe::Scene& scene);
 
-/// The camera and the ground, on which the nodes of the air depend.
+/// The camera and the ground near it, on which the transforms of air_places() depend.
 struct AirView {
     glm::dvec3 eye_m{0.0};
     double time_s = 0.0;
     std::function<float(const glm::vec2&)> ground_m;
-    /// Tells whether a roof covers a place; no sand rises there.
+    /// Returns whether a roof covers a place. No sand rises under a roof.
     std::function<bool(const glm::vec2&)> is_roofed;
 };
 
-/// Returns the transforms of the nodes of add_air(), for Renderer::place(); `first` is the scene's node `sand
-/// 0`. Inactive nodes have no size.
+/// Returns the transforms of the nodes of add_air(), for Renderer::place(); `first` is the index of the
+/// scene's node `sand 0`. Inactive nodes have size 0.
 [[nodiscard]] std::vector<estampe::NodePlace> air_places(estampe::Index first, const Weather& weather,
                                                          const AirView& view);
 

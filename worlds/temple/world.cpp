@@ -48,7 +48,7 @@ void Setter::color(const std::string& key, const glm::vec3& srgb)
 /// Sets the style of the demons, and of the blots that they leave on the page.
 void dress_demons(Setter& set)
 {
-    // The demons' ink is black in every style.
+    // The demons are drawn black in every style.
     set("material.demon*.wash.strength", 1.0);
     set("material.demon*.wash.neutral", 1.0);
     set("material.demon*.wash.least", 0.0);
@@ -104,8 +104,8 @@ void dress_air(Setter& set)
     }
 }
 
-/// Sets the style of the ink that runs from demons, and over the page when they dissolve. If `base` has ink
-/// already, its settings stay.
+/// Sets the style of the ink that flows out of demons, and that spreads over the page when demons dissolve.
+/// If `base` has ink already, its settings stay.
 void dress_ink(Setter& set, const estampe::Style& base)
 {
     if (base.number("ink.enabled") != 0.0) {
@@ -137,7 +137,7 @@ void dress_smoke(Setter& set, const estampe::Style& base)
     if (base.number("smoke.enabled") != 0.0) {
         return;
     }
-    // The smoke is a slender, transparent column: puffs over a bowl on a foot would look like a tree.
+    // The smoke is a slender, transparent column, because round puffs over a brazier would look like a tree.
     set("smoke.cells", "64");
     set("smoke.puffs", "false");
     set("smoke.age_s", 3.0);
@@ -176,8 +176,8 @@ void dress_film(Setter& set, const estampe::Style& base)
     }
 }
 
-constexpr double before_s = 8.0;      ///< Time that is simulated before time 0
-constexpr double remembered_s = 60.0; ///< Time that is simulated before a time to which the program jumps
+constexpr double before_s = 8.0;      ///< Length of the simulation before time 0, from which a film starts
+constexpr double remembered_s = 60.0; ///< Length of the simulation before a time to which the program jumps
 /// Interval of the simulated samples from which plumes of particles are computed.
 constexpr double sample_s = 0.1;
 
@@ -209,14 +209,14 @@ float shelter_at(const Plan& plan, const glm::vec2& place)
 float hours_a_minute(worlds::Occasion occasion)
 {
     constexpr float of_films = 1.2F;
-    // Speed of the sun in walks: it sets after half an hour from its initial position.
+    // Speed of the sun in walks, in hours per minute. The sun sets half an hour after the start of the walk.
     constexpr float of_walks = 0.04F;
     return occasion == worlds::Occasion::film   ? of_films
            : occasion == worlds::Occasion::walk ? of_walks
                                                 : 0.0F;
 }
 
-/// Interpolates a size in its logarithm.
+/// Interpolates between the logarithms of two sizes, and returns the size.
 double mixed_size(double from, double to, double share)
 {
     return std::exp((1.0 - share) * std::log(std::max(from, 0.01)) + share * std::log(std::max(to, 0.01)));
@@ -243,7 +243,8 @@ estampe::Scene World::scene() const
 void World::go_to(double time_s, const estampe::Camera& walker)
 {
     constexpr double leap_s = 10.0;
-    constexpr double slack_s = 0.5; // Tolerance for two pictures that are drawn alternately
+    // Time by which a picture may be earlier than the last one without a restart of the simulation.
+    constexpr double slack_s = 0.5;
     if (!time_s_ || time_s < *time_s_ - slack_s || time_s > *time_s_ + leap_s) {
         demons_ = Demons(plan_, site_, still_, seed_);
         time_s_ = std::max(time_s - remembered_s, 0.0) - before_s;
@@ -269,7 +270,7 @@ void World::go_to(double time_s, const estampe::Camera& walker)
         shown.places.insert(shown.places.end(), air.begin(), air.end());
         const auto smoke = smoke_places(first_of_smoke_, plumes_, walker.eye, in_sight);
         shown.places.insert(shown.places.end(), smoke.begin(), smoke.end());
-        // The nodes that the ending moves stay static until it begins.
+        // The nodes that move in the ending stay static until the ending begins.
         has_begun_to_end_ = has_begun_to_end_ || (end_s_ && *time_s_ >= *end_s_);
         if (has_begun_to_end_ && ending_) {
             const auto moved = ending_->nodes(end_s_ ? *time_s_ - *end_s_ : -1.0);
@@ -378,8 +379,8 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     const auto blow = [&](const std::string& what, double speed_m_per_s) {
         set("object." + what + ".particles.wind_m_per_s", speed_m_per_s);
     };
-    // Smoke columns consist of the paths of all their particles at once: wind that changed with every gust
-    // would shake them.
+    // A column of smoke is drawn from the paths of all its particles. The wind has constant speed here,
+    // because each gust would move the whole column at once.
     blow("wisp*", 0.8);
     blow("sand*", 12.0);
     blow("whirl*", 4.0);
@@ -407,8 +408,8 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     dusty("sky.zenith", 0.75 * dust);
     dusty("haze.tint_color", dust);
     if (base.text("light.metering") == "lights") {
-        // Sets the exposure by hand: automatic exposure would darken the court because of its many lamps.
-        // This value keeps white marble white in the sun.
+        // Sets the exposure by hand: automatic exposure would make the court too dark because of its many
+        // lamps. With this value, white marble in the sun is white.
         set("light.metering", "manual");
         set("light.ev100", -0.1);
     }
@@ -416,7 +417,7 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     set("clouds.coverage",
         (1.0 - dust) * std::max(static_cast<double>(weather_.clouds), base.number("clouds.coverage")));
     if (base.number("clouds.coverage") == 0.0) {
-        // Clouds take the sky's colours, so that only marble is white.
+        // Clouds get the sky's colours, so that marble is the only white thing in the picture.
         const glm::vec3 straw = base.color("sky.horizon");
         set.color("clouds.color", glm::mix(base.color("clouds.color"), straw, 0.6F));
         set.color("clouds.shade_color", glm::mix(straw, base.color("sky.zenith"), 0.3F));
@@ -472,7 +473,7 @@ worlds::Description description()
                          .without = "16.67",
                          .changes_scene = false}},
             .film_s = Flight::length_s,
-            .show_s = 60.0, // Time in which gusts, a tornado and a storm come once each
+            .show_s = 60.0, // Within this time, gusts, a tornado and a storm occur once each
             .make = make};
 }
 

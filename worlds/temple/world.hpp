@@ -46,17 +46,17 @@ public:
     /// Returns the whole scene of the temple at time 0. Cost: a fifth of a second.
     [[nodiscard]] estampe::Scene scene() const override;
 
-    /// Prepares the temple to be drawn: calls meet(). The sun moves in a film, and slowly in a walk, unless
-    /// WeatherChoice sets its speed. Calls film() for a film that is not a draft.
+    /// Prepares the temple to be drawn: calls meet(). In a film the sun moves, in a walk it moves slowly,
+    /// unless WeatherChoice sets its speed. If the purpose is a film and not a draft, also calls film().
     void begin(const estampe::Scene& scene, const worlds::Purpose& purpose) override;
 
     /// Finds the temple's nodes in a scene that scene() made. Throws Error for a scene without demons.
     void meet(const estampe::Scene& scene);
 
     /// Simulates the temple up to a time, for a visitor at `walker`. Times of a film or a walk must follow
-    /// each other. A time far before the last one, or more than 10 s after it, restarts the simulation 8 s
-    /// before time 0 or a minute before that time. A time up to half a second before the last one changes
-    /// nothing. Cost: a millisecond per tenth of a second.
+    /// each other. A time far before the last one, or more than 10 s after it, restarts the simulation: 8 s
+    /// before time 0, or one minute before the requested time. A time up to half a second before the last one
+    /// changes nothing. Cost: a millisecond per tenth of a second.
     void go_to(double time_s, const estampe::Camera& walker) override;
 
     /// Records that the visitor reaches the middle of the last hall at `time_s`; the ending starts then.
@@ -67,19 +67,19 @@ public:
     void film() { is_filmed_ = true; }
 
     /// Places the temple's moving nodes on a renderer that has the scene. Cost: linear in moving nodes; at
-    /// the start of the ending, once the cost of preparing static nodes to move.
+    /// the start of the ending, there is also the cost of Renderer::place() for nodes that were static.
     void show(estampe::Renderer& renderer) override;
 
-    /// Presses hollows into the renderer's sand where demons are. Cost: if a demon has moved on sand, a copy
-    /// of the heights of its mask.
+    /// Presses hollows into the renderer's sand where demons are. Cost: a copy of the terrain's mask of
+    /// heights, if a demon has moved on sand.
     void press(estampe::Renderer& renderer) override;
 
     /// Forgets which hollows the renderer's sand has. Call this function after other code has changed the
     /// renderer's sand.
     void forget_pressed() override { pressed_.reset(); }
 
-    /// Returns the style `base` with the weather and the light of the time that was shown: wind for cloth,
-    /// sand and ink, air, sky, clouds and the sun; also how demons and particles are drawn.
+    /// Returns the style `base`, changed for the time of the last show(): wind for cloth, sand and ink, haze,
+    /// sky, clouds and sun. Also sets how demons and particles are drawn.
     [[nodiscard]] estampe::Style style(const estampe::Style& base,
                                        const estampe::Camera& camera) const override;
 
@@ -124,7 +124,7 @@ private:
     estampe::Index first_of_air_ = 0;
     estampe::Index first_of_smoke_ = 0;
     std::vector<Shown> shown_; ///< Transforms that were not sent to a renderer yet
-    /// Hollows in the renderer's sand; nothing: the state of the sand is unknown.
+    /// Hollows that the renderer's sand has now; nothing if they are unknown.
     std::optional<std::vector<Hollow>> pressed_;
     std::optional<Ending> ending_;
     std::optional<double> end_s_;

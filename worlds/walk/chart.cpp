@@ -24,7 +24,7 @@ bool holds(const Footing& footing, const Body& body)
     return footing.normal.y > std::cos(glm::radians(limit_deg - reserve_deg));
 }
 
-/// A square in the search queue, with its cost.
+/// A square of the grid that waits in the search queue, with its cost.
 struct Open {
     double cost = 0.0;
     glm::ivec2 square{0};
@@ -75,7 +75,8 @@ void Chart::flood(const Place& place, const Body& body, const glm::dvec3& from_m
     const auto enter = [&](const glm::ivec2& square, double height_m) {
         const glm::dvec2 at = middle_m(square);
         const std::optional<Footing> footing = place.footing({at.x, height_m, at.y}, body, drop_m);
-        // A square that is too high from this neighbour may be reached from elsewhere.
+        // A square that is too much higher or lower than this neighbour may be reachable from another
+        // neighbour.
         if (!footing || std::abs(footing->height_m - height_m) > drop_m || !holds(*footing, body)) {
             return;
         }
@@ -104,7 +105,8 @@ void Chart::flood(const Place& place, const Body& body, const glm::dvec3& from_m
 
 void Chart::measure_room()
 {
-    // Distances to obstacles grow from square to square by 1 or the square root of 2.
+    // The distance to obstacles increases by 1 from a square to the next, and by the square root of 2 to a
+    // diagonal one.
     const auto square_m = static_cast<float>(limits_.square_m);
     std::priority_queue<Open> next;
     for (int z = 0; z < size_.y; ++z) {
@@ -150,7 +152,8 @@ std::vector<glm::dvec3> Chart::way(const glm::dvec2& from_m, const glm::dvec2& t
     if (!reaches(from_m) || !reaches(to_m)) {
         return {};
     }
-    // A* searches from the end, so that the path comes out from its beginning.
+    // The search A* runs from the end of the path to its beginning, so that the squares found are in the
+    // order from beginning to end.
     const glm::ivec2 start = square_of(to_m);
     const glm::ivec2 goal = square_of(from_m);
     std::vector<double> cost(height_m_.size(), std::numeric_limits<double>::infinity());

@@ -17,7 +17,8 @@ struct ChartLimits {
     double square_m = 0.3;
 };
 
-/// The squares that a body can reach and return from, and on which it has room; one height per square.
+/// The squares of a grid that a body can reach, from which it can return, and on which it has room. Each
+/// square has one height.
 class Chart {
 public:
     /// Explores the ground from `from_m`, where the body stands. Cost: about 10 microseconds for each square
@@ -31,8 +32,8 @@ public:
     /// but prefers the middle of a room to its walls. Empty if there is no path. Cost: n log n in squares.
     [[nodiscard]] std::vector<glm::dvec3> way(const glm::dvec2& from_m, const glm::dvec2& to_m) const;
 
-    /// Returns the distance from a place to the nearest place without room for the body, up to 2 m; 0 outside
-    /// of reachable squares.
+    /// Returns the distance from a place to the nearest place without room for the body, at most 2 m. Returns
+    /// 0 on squares that the body cannot reach.
     [[nodiscard]] double room_m(const glm::dvec2& place_m) const;
 
 private:

@@ -23,8 +23,8 @@ glm::vec3 high_of(const Triangle& triangle)
     return glm::max(glm::max(triangle.a, triangle.b), triangle.c);
 }
 
-/// Returns the position along `way` from `from` at which it hits a triangle (Möller and Trumbore), in lengths
-/// of `way`.
+/// Returns where the ray from `from` along `way` hits a triangle, as a multiple of `way` (Möller and
+/// Trumbore); nothing if the ray misses the triangle.
 std::optional<float> meets(const glm::vec3& from, const glm::vec3& way, const Triangle& triangle)
 {
     const glm::vec3 ab = triangle.b - triangle.a;
@@ -185,8 +185,8 @@ void Solids::build()
         boxes_.reserve(triangles_.size());
         std::vector<uint32_t> order(triangles_.size());
         std::iota(order.begin(), order.end(), 0U);
-        // Sorts the triangles into a tree of boxes: splits at the median triangle along the longest side of
-        // the box around all centroids.
+        // Sorts the triangles into a tree of boxes: splits the list at the median along the longest side of
+        // the box around the triangles' centroids.
         const std::function<void(size_t, size_t)> sort = [&](size_t first, size_t last) {
             if (last - first <= triangles_a_box) {
                 return;
@@ -259,7 +259,8 @@ void Solids::search(const Touches& touches, const Visit& visit) const
     if (boxes_.empty()) {
         return;
     }
-    std::array<uint32_t, 64> open{}; // Each split halves the triangles, so the tree is never deeper than this
+    // The tree is never deeper than this, because each split halves the triangles.
+    std::array<uint32_t, 64> open{};
     size_t count = 1;
     while (count > 0) {
         const uint32_t index = open.at(--count);

@@ -32,8 +32,8 @@ public:
     Solids() = default;
     /// Builds the bounding volume hierarchy. Cost: n log n in triangles.
     explicit Solids(std::vector<Triangle> triangles);
-    /// Takes the solid triangles from a scene at rest: those of all nodes for which `is_solid` returns true.
-    /// Cloth and meshes that skins or morph targets deform are never included.
+    /// Collects solid triangles from a scene in its rest pose: takes the triangles of all nodes for which
+    /// `is_solid` returns true. Cloth and meshes that skins or morph targets deform are never included.
     explicit Solids(const estampe::Scene& scene,
                     const std::function<bool(const estampe::Node& node)>& is_solid = {});
 
@@ -56,7 +56,8 @@ private:
     struct Box {
         glm::vec3 low_m{0.0F};
         glm::vec3 high_m{0.0F};
-        /// First triangle of the box; for an inner box, its second child (the first child follows the box).
+        /// For a leaf box: index of its first triangle. For an inner box: index of its second child; the
+        /// first child is stored directly after the box.
         uint32_t first = 0;
         uint32_t count = 0; ///< Number of triangles in the box; 0 for an inner box with two children
     };
@@ -68,7 +69,7 @@ private:
     void search(const Touches& touches, const Visit& visit) const;
 
     std::vector<Triangle> triangles_;
-    std::vector<estampe::Index> owners_; ///< node of each triangle
+    std::vector<estampe::Index> owners_; ///< Node to which each triangle belongs
     std::vector<bool> gone_;             ///< True for each node whose triangles are removed
     std::vector<Box> boxes_;
 };

@@ -9,10 +9,10 @@
 namespace walk {
 namespace {
 
-/// Distance between the points where the sole of a foot touches the ground.
+/// Distance between the points of a foot's sole at which the height of the ground is sampled.
 constexpr double sole_m = 0.15;
 
-/// Depth to which a body may penetrate solids and still count as free.
+/// Depth to which a body may penetrate a solid without being pushed out.
 constexpr float tolerance_m = 0.015F;
 
 struct Depth {
@@ -51,7 +51,8 @@ std::optional<Footing> Place::footing(const glm::dvec3& place_m, const Body& bod
     for (const glm::dvec2& off : touches) {
         const std::optional<Support> stone = solids_->below({place_m.x + off.x, from_m, place_m.z + off.y},
                                                             static_cast<float>(from_m - place_m.y + drop_m));
-        // Height difference within which the middle of the sole gives the ground's normal.
+        // Another point of the sole gives the ground's height and normal only if it is higher than the middle
+        // by more than this.
         constexpr double flush_m = 1e-3;
         if (stone && (!highest || static_cast<double>(stone->height_m) > highest->height_m + flush_m)) {
             highest = {static_cast<double>(stone->height_m), glm::dvec3(stone->normal), false};
@@ -62,7 +63,7 @@ std::optional<Footing> Place::footing(const glm::dvec3& place_m, const Body& bod
 
 std::optional<glm::dvec3> Place::pushed_out(const glm::dvec3& feet_m, const Body& body) const
 {
-    // The body's capsule begins at this height, because the feet handle obstacles that are lower than a step.
+    // The body's capsule begins above the height of a step. The feet handle obstacles that are lower.
     const float low_m = body.step_m + body.radius_m;
     const float high_m = std::max(low_m, body.height_m - body.radius_m);
     const float around_m = 2.0F * body.radius_m;
@@ -81,7 +82,8 @@ std::optional<glm::dvec3> Place::pushed_out(const glm::dvec3& feet_m, const Body
         }
         const glm::vec2 level(worst.out.x, worst.out.z);
         const float length = glm::length(level);
-        constexpr float flattest = 0.2F; // A wall that leans further is a ceiling or a floor
+        // If the horizontal part of the normal is shorter, the surface is a ceiling or a floor.
+        constexpr float flattest = 0.2F;
         if (length < flattest) {
             return worst.depth_m < tolerance_m ? std::optional(feet_m + glm::dvec3(off)) : std::nullopt;
         }
@@ -108,7 +110,7 @@ glm::dvec2 level(const glm::dvec3& of)
     return {of.x, of.z};
 }
 
-/// Moves the vector `from` towards `to`, by at most `most`.
+/// Returns the vector `from`, moved towards `to` by at most the length `most`.
 glm::dvec2 towards(const glm::dvec2& from, const glm::dvec2& to, double most)
 {
     const double length = glm::length(to - from);
@@ -171,7 +173,7 @@ void Walker::step(const Intent& intent)
             break;
         }
     }
-    // Obstacles only reduce the walker's speed.
+    // Obstacles can reduce the walker's speed, but not increase it.
     const glm::dvec2 gone_m = level(feet_m_ - from_m);
     const double speed = glm::length(level(velocity_m_s_));
     const glm::dvec2 real = gone_m / step_s;
@@ -200,7 +202,7 @@ void Walker::steer(const Intent& intent)
         const double steep = glm::length(slope);
         const double limit = std::tan(
             glm::radians(static_cast<double>(footing_.is_sand ? body_.repose_deg : body_.steepest_deg)));
-        // Uphill, the walker's feet sink back into the sand.
+        // On sand, each step uphill is shortened, because the feet slide back.
         if (footing_.is_sand && glm::length(wanted) > 0.0) {
             wanted /= 1.0 + 1.3 * std::max(0.0, glm::dot(slope, glm::normalize(wanted)));
         }
@@ -208,9 +210,9 @@ void Walker::steer(const Intent& intent)
         if (steep > limit) {
             is_sliding_ = true;
             const glm::dvec2 up = slope / steep;
-            // The walker may still move across the slope and down, never up.
+            // On a slope that is too steep, the walker may still move across the slope and down, but not up.
             wanted -= up * std::max(0.0, glm::dot(wanted, up));
-            // On a steep slope, the ground slides with the walker, and sand slows the slide down.
+            // On a slope that is too steep, the walker slides; friction of the sand slows the slide down.
             constexpr double drag_a_s = 1.6;
             const double sine = steep / std::sqrt(1.0 + steep * steep);
             const double over = sine - 0.8 * limit / std::sqrt(1.0 + steep * steep);
@@ -239,7 +241,7 @@ bool Walker::go(const glm::dvec2& way_m)
         if (const std::optional<Footing> under = place_.footing(*there, body_, 0.0)) {
             const double rise_m = under->height_m - there->y;
             if (rise_m > static_cast<double>(body_.step_m)) {
-                return false; // The way ends at a bank of sand as steep as a wall
+                return false; // The way is blocked by a bank of sand that is as steep as a wall
             }
             if (rise_m > 0.0) {
                 there->y = under->height_m;
@@ -267,7 +269,7 @@ void Walker::rise_or_fall()
 {
     const auto step_m = static_cast<double>(body_.step_m);
     if (is_on_ground_) {
-        // The walker follows the ground down, as far as a foot reaches.
+        // The walker is moved down to the ground, if the ground is within reach of a foot.
         if (const std::optional<Footing> under = place_.footing(feet_m_, body_, step_m)) {
             footing_ = *under;
             feet_m_.y = under->height_m;
@@ -299,7 +301,7 @@ void Walker::rise_or_fall()
     const std::optional<glm::dvec3> there = place_.pushed_out(feet_m_ - glm::dvec3(0.0, drop_m, 0.0), body_);
     if (there) {
         feet_m_ = *there;
-    } else { // The body is stuck on something and may walk or jump from there
+    } else { // The body stands on an obstacle, and may walk or jump from there
         footing_ = {feet_m_.y, {0.0, 1.0, 0.0}, false};
         is_on_ground_ = true;
         velocity_m_s_.y = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Simulates a person who walks: gravity, steps, slopes, sand that gives way, and walls.
+// Simulates a person who walks: gravity, steps, slopes, sand that is soft, and walls.
 
 #include <functional>
 #include <optional>
@@ -62,8 +62,8 @@ public:
 
     [[nodiscard]] Sand sand(const glm::dvec2& place_m) const { return sand_(place_m); }
 
-    /// Finds the highest ground under a foot that is put down at `place_m`, from a step above it to `drop_m`
-    /// below. Nobody falls through sand.
+    /// Finds the highest ground under a foot that is put down at `place_m`, from the height of a step above
+    /// the place to `drop_m` below. If the place is below the sand's surface, the sand counts as ground.
     [[nodiscard]] std::optional<Footing> footing(const glm::dvec3& place_m, const Body& body,
                                                  double drop_m) const;
 
@@ -77,15 +77,15 @@ private:
     mutable std::vector<Triangle> near_;
 };
 
-/// A walking person, simulated in fixed steps of a 120th of a second, so that the same input leads to the
-/// same places. Cost: about 1 ms per simulated second.
+/// A walking person, simulated in fixed steps of a 120th of a second, so that the same input always gives the
+/// same positions. Cost: about 1 ms per simulated second.
 class Walker {
 public:
     static constexpr double step_s = 1.0 / 120.0;
 
     Walker(Place place, const Body& body, const glm::dvec3& feet_m);
 
-    /// Advances the walker by `seconds`; the remainder of a step is kept for the next call.
+    /// Advances the walker by `seconds`. Time that is less than a whole step is kept for the next call.
     void advance(const Intent& intent, double seconds);
     /// Advances the walker by one step of the simulation.
     void step(const Intent& intent);
@@ -110,8 +110,8 @@ public:
 
     [[nodiscard]] bool is_sliding() const { return is_sliding_; }
 
-    /// Returns the prints that the walker left in the sand since the last call: footprints, and traces of
-    /// sliding.
+    /// Returns the marks that the walker left in the sand since the last call of this function: footprints,
+    /// and traces of sliding.
     [[nodiscard]] std::vector<estampe::TrailStamp> take_prints();
 
 private:

@@ -51,13 +51,13 @@ struct Option {
 /// The values of a world's options.
 class Values {
 public:
-    /// Reads assignments of options such as "seed=7"; the last one of a key counts. Throws Error for an
-    /// assignment without a key and a value, for a key that is not among `options`, listing those that are,
-    /// and for a value that is not allowed.
+    /// Reads assignments of options such as "seed=7"; if a key occurs twice, the last assignment counts.
+    /// Throws Error for an assignment without a key and a value, for a key that is not among `options`, and
+    /// for a value that is not allowed.
     Values(std::span<const Option> options, std::span<const std::string> assignments);
 
-    // Functions that return the value of an option; nothing if it has none. Only valid for keys and types of
-    // this world's options.
+    // Functions that return the value of an option; nothing if the option has no value. `key` must be an
+    // option of this world, and of this type.
     [[nodiscard]] std::optional<uint64_t> whole(std::string_view key) const;
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
     [[nodiscard]] std::optional<std::string> word(std::string_view key) const;
@@ -88,9 +88,9 @@ struct Description {
     std::vector<std::string> styles;   ///< Names of the presets that were made for the world.
     std::vector<std::string> examples; ///< Commands for help, such as "estampe render NAME -o NAME.png".
     std::vector<Option> options;
-    std::optional<double> film_s; ///< Length of the world's own film; nothing: the world has none.
-    /// Length of a film by any other camera in which all events happen once; nothing: only the scene's
-    /// animations move.
+    std::optional<double> film_s; ///< Length of the world's own film; nothing: the world has no film
+    /// Length of a film that shows all events of the world once, for cameras other than the world's own.
+    /// Nothing: only the scene's animations move.
     std::optional<double> show_s;
     /// Makes the world with `values`, which must be values of `options`.
     std::function<std::unique_ptr<World>(const Values& values)> make;
@@ -99,11 +99,12 @@ struct Description {
 class Registry {
 public:
     /// Adds a world to the registry. Throws Error if there is a world of that name, if the name is not made
-    /// of lower-case letters, digits and hyphens, if two options have one key, if an option's initial value
-    /// is not allowed, and if the world cannot be made.
+    /// of lower-case letters, digits and hyphens, if two options have the same key, if an option's initial
+    /// value is not allowed, and if the world cannot be made.
     void add(Description description);
 
-    /// Finds the world of that name; null if there is none. The pointer stays valid.
+    /// Finds the world of that name; null if there is no such world. The pointer stays valid when worlds are
+    /// added.
     [[nodiscard]] const Description* find(std::string_view name) const;
 
     [[nodiscard]] const std::deque<Description>& all() const { return all_; }
@@ -115,8 +116,8 @@ private:
 /// Returns the program's worlds: those that worlds/CMakeLists.txt lists, and those that have been added.
 /// Worlds must be added before other threads look for them.
 ///
-/// The list is explicit. A static object that registered its world would be lost: a linker takes only those
-/// files of a static library that something refers to. Here registry() refers to each world.
+/// Each world is listed in registry() by name. A static object that registers its own world would not work,
+/// because a linker drops files of a static library to which no other file refers.
 [[nodiscard]] Registry& registry();
 
 } // namespace worlds

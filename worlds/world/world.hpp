@@ -33,12 +33,12 @@ public:
     CameraPath(const CameraPath&) = delete;
     CameraPath& operator=(const CameraPath&) = delete;
 
-    /// Returns the camera at a time since the film's beginning; before and after the film, the camera at its
-    /// nearer end.
+    /// Returns the camera at a time since the film's beginning; before the film, the camera at its first
+    /// moment; after the film, the camera at its last moment.
     [[nodiscard]] virtual estampe::Camera camera(double time_s) const = 0;
 
-    /// Returns the time at which the camera reaches the place that makes the world end, see World::end_at();
-    /// nothing if it does not.
+    /// Returns the time at which the camera reaches the place where the world's ending begins, see
+    /// World::end_at(); nothing if it does not reach this place.
     [[nodiscard]] virtual std::optional<double> end_s() const { return std::nullopt; }
 };
 
@@ -55,7 +55,8 @@ public:
 
     [[nodiscard]] virtual walk::Walker& walker() = 0;
 
-    /// Returns whether the visitor has reached the place that makes the world end, see World::end_at().
+    /// Returns whether the visitor has reached the place where the world's ending begins, see
+    /// World::end_at().
     [[nodiscard]] virtual bool has_arrived() const { return false; }
 };
 
@@ -77,8 +78,8 @@ public:
     /// Prepares to animate `scene`, which scene() of a world with the same values made.
     virtual void begin(const estampe::Scene& /*scene*/, const Purpose& /*purpose*/) {}
 
-    /// Simulates the world up to a time, seen by `camera`. Times of a film or a walk follow each other; the
-    /// program may also jump to any time.
+    /// Simulates the world up to a time, as seen by `camera`. Times of a film or a walk follow each other;
+    /// the program may also jump to any time.
     virtual void go_to(double /*time_s*/, const estampe::Camera& /*camera*/) {}
 
     /// Places the world's nodes and sets its lights on the renderer that has the scene, for the time that
@@ -89,8 +90,8 @@ public:
     /// once a user has edited the terrain.
     virtual void press(estampe::Renderer& /*renderer*/) {}
 
-    /// Called when other code has changed the renderer's terrain since the last press(), which must then set
-    /// the terrain again.
+    /// Called when other code has changed the renderer's terrain since the last press(), so that the next
+    /// press() sets the terrain again.
     virtual void forget_pressed() {}
 
     /// Returns the style `base` with the weather and the light of the time that go_to() reached. Values that
@@ -101,12 +102,12 @@ public:
         return base;
     }
 
-    /// Called when a visitor reaches the end of the world at `time_s`: from then on the world changes, if it
-    /// has an ending.
+    /// Called when a visitor reaches the end of the world, at `time_s`. If the world has an ending, the
+    /// ending starts at this time.
     virtual void end_at(double /*time_s*/) {}
 
-    /// Returns the camera of the world's own film; null if it has none. Only called where Description::film_s
-    /// is set.
+    /// Returns the camera of the world's own film; null if the world has no film. Only called where
+    /// Description::film_s is set.
     [[nodiscard]] virtual std::unique_ptr<CameraPath> film_camera(const estampe::Scene& /*scene*/) const
     {
         return nullptr;
