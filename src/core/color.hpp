@@ -32,7 +32,7 @@ template <std::floating_point T>
     return linear <= T(0.0031308) ? linear * T(12.92) : T(1.055) * std::pow(linear, T(1) / T(2.4)) - T(0.055);
 }
 
-/// Table of the linear value of each sRGB byte.
+/// Makes a table with the linear value of each sRGB byte.
 template <std::floating_point T>
 [[nodiscard]] std::array<T, 256> linear_of_srgb_bytes()
 {

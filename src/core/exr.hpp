@@ -16,14 +16,14 @@
 
 namespace estampe {
 
-/// An OpenEXR picture with this program's attributes in its header.
+/// An OpenEXR picture with the header attributes that this program stores.
 struct ExrFile {
     LightImage image;
     std::map<std::string, std::string> texts;
     std::map<std::string, std::vector<float>> numbers;
 };
 
-/// Encodes the red, green and blue of a picture as half floats with lossless compression; the same picture
+/// Encodes the red, green and blue of a picture as half floats with lossless compression. The same picture
 /// gives the same bytes. Values are clamped to the range of a half. Throws Error if the image is empty.
 [[nodiscard]] std::vector<std::byte> encode_exr(const ExrFile& file);
 
@@ -40,9 +40,9 @@ struct ExrChannel {
                                                 std::span<const ExrChannel> channels, ExrNumbers numbers,
                                                 const std::map<std::string, std::string>& texts = {});
 
-/// Decodes the first part of an OpenEXR picture. Grey becomes three channels, alpha is ignored, negative and
-/// non-finite values become zero. Throws Error with `name` as its place if the data is not OpenEXR, is
-/// damaged, or exceeds the limits in image_codec.hpp.
+/// Decodes an OpenEXR picture (of a multi-part file, the first part). Grey becomes three channels, alpha is
+/// ignored, negative and non-finite values become zero. Throws Error with `name` as its place if the data is
+/// not OpenEXR, is damaged, or exceeds the limits in image_codec.hpp.
 [[nodiscard]] ExrFile decode_exr(std::span<const std::byte> bytes, const std::string& name);
 
 /// Returns whether the bytes start with OpenEXR's magic number.

@@ -152,7 +152,7 @@ void AtomicFile::publish()
 
 void remove_all_pending() noexcept
 {
-    registry().guard.lock(); // Locked for good: no thread may create another file
+    registry().guard.lock(); // The lock is never released, so that no thread can create another file
     for (const std::filesystem::path& path : registry().paths) {
         std::error_code failure;
         std::filesystem::remove_all(path, failure);
@@ -245,7 +245,7 @@ void check_output(const std::filesystem::path& output, const std::vector<std::fi
                     "create it first, or write elsewhere with -o");
     }
     const std::filesystem::file_status status = std::filesystem::status(output, problem);
-    // A name that is too long is reported now, before other files are renamed.
+    // A name that is too long for the file system is reported now, before other files are renamed.
     if (problem == std::errc::filename_too_long) {
         throw Error(fmt::format("cannot write: {}", problem.message()), output.string(),
                     "choose a shorter name");

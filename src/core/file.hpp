@@ -21,7 +21,8 @@ public:
     /// does not exist or is not writable.
     [[nodiscard]] static AtomicFile file(const std::filesystem::path& target);
 
-    /// Creates a temporary file with these bytes. Throws Error as for an empty file, and if the disk is full.
+    /// Creates a temporary file with these bytes. Throws Error as the overload without bytes does, and if the
+    /// disk is full.
     [[nodiscard]] static AtomicFile file(const std::filesystem::path& target,
                                          std::span<const std::byte> bytes);
 
@@ -64,12 +65,14 @@ void remove_all_pending() noexcept;
 /// is a folder, pipe or device, or is unreadable.
 [[nodiscard]] std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes);
 
-/// Writes a file through a temporary one beside `path`, so readers see the old file or the complete new one;
-/// see AtomicFile. Throws Error if the folder does not exist or is not writable, or the disk is full.
+/// Writes a file: writes a temporary file beside `path` and renames it, so readers see the old file or the
+/// complete new one; see AtomicFile. Throws Error if the folder does not exist or is not writable, or the
+/// disk is full.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 /// Checks that a file can be written to `output`. Throws Error if the folder of `output` is missing or not
-/// writable, if `output` is a folder itself, or if it is one of the `inputs`. Changes nothing at `output`.
+/// writable, if `output` is a folder itself, or if `output` is one of the `inputs`. Changes nothing at
+/// `output`.
 void check_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
 
 /// The user's cache folder: $XDG_CACHE_HOME, or ~/.cache. Empty if neither is an absolute path.

@@ -19,8 +19,8 @@ namespace {
 
 constexpr uint64_t no_limit = std::numeric_limits<uint64_t>::max();
 
-/// Reads the number after `key` in a file of key-value pairs; with an empty key, the first number of the
-/// file.
+/// Reads the number that follows `key` in a file of key-value pairs. If `key` is empty, reads the first
+/// number of the file.
 std::optional<uint64_t> number_in(const std::filesystem::path& path, std::string_view key)
 {
     std::ifstream file(path);

@@ -17,7 +17,7 @@ namespace estampe {
 
 /// Checks before a large allocation that memory is free. Throws Error if `bytes` exceeds the free memory,
 /// because systems that overcommit memory kill a program without a message. Small sizes are not checked. The
-/// message is `what` followed by "needs ... of memory".
+/// error message consists of `what` and "needs ... of memory".
 void require_memory(uint64_t bytes, const std::string& what, const std::string& where,
                     const std::string& remedy = {});
 

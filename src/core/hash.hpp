@@ -10,9 +10,9 @@
 
 namespace estampe {
 
-/// Fingerprint of a sequence of values, equal on all machines of one byte order. Mixes eight bytes at a time
-/// with the finaliser of Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014. Not
-/// cryptographic.
+/// Hash of a sequence of values; the same on all machines with the same byte order. The hash mixes eight
+/// bytes at a time with the finaliser of Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
+/// Generators", 2014. It is not a cryptographic hash.
 class Hash {
 public:
     template <class T>

@@ -98,7 +98,7 @@ bool read_png_header(PngReader& reader)
     if (setjmp(reader.failure.jump) != 0) {
         return false;
     }
-    // Removes libpng's limits; check_image_size() checks this program's limits.
+    // libpng's own size limits are removed, because check_image_size() checks this program's limits.
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_chunk_malloc_max(reader.png, png_alloc_size_t{1} << 24);
     png_set_crc_action(reader.png, PNG_CRC_ERROR_QUIT, PNG_CRC_QUIET_USE);
@@ -284,7 +284,7 @@ Image decode_jpeg(std::span<const std::byte> data, const std::string& name)
         throw Error(fmt::format("corrupt JPEG: {}", reader.failure.message), name);
     }
     if (has_inks) {
-        // Adobe's programs store inverted inks in a JPEG: 255 means no ink.
+        // Adobe's programs store inverted inks in a JPEG: the value 255 means no ink.
         const bool inverted = reader.jpeg.saw_Adobe_marker != 0;
         inks_to_rgb(image.rgba, inverted, std::as_bytes(std::span(profile.get(), profile_bytes)));
     }

@@ -23,8 +23,8 @@
 
 namespace estampe {
 
-/// Error state for libpng and libjpeg, whose error functions must not return. Objects with destructors must
-/// be declared outside the stack frame that longjmp leaves.
+/// Error state for libpng and libjpeg, whose error functions must not return. The error function leaves with
+/// longjmp. Objects with destructors must be declared outside the stack frame that longjmp leaves.
 struct CodecFailure {
     std::jmp_buf jump;
     char message[256] = {};
@@ -65,11 +65,11 @@ Picture new_image(uint64_t width, uint64_t height, const std::string& name)
 }
 
 /// Converts 8-bit CMYK pixels to opaque sRGB in place. Uses `profile` if it is an ICC profile for CMYK
-/// (lcms2); otherwise each ink absorbs its share of the light. `inverted` means that 255 stands for no ink.
+/// (lcms2); otherwise each ink absorbs its share of the light. If `inverted` is true, 255 means no ink.
 void inks_to_rgb(std::span<uint8_t> pixels, bool inverted, std::span<const std::byte> profile);
 
 /// Decodes a TGA, BMP or GIF (its first frame) with stb_image, or the flattened picture of a PSD; empty for
-/// other data. The content decides the format; TGA has no magic number, so every field of its header must be
+/// other data. The content decides the format. TGA has no magic number, so every field of its header must be
 /// valid. Throws Error with `name` as its place if the data is truncated, damaged or of an unsupported kind.
 /// stb_image itself would read missing bytes as zeros.
 [[nodiscard]] std::optional<Image> decode_older_picture(std::span<const std::byte> data,

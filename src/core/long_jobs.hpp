@@ -12,8 +12,8 @@ namespace estampe {
 /// that requests the result.
 inline constexpr std::launch launch_if_possible = std::launch::async | std::launch::deferred;
 
-/// Receives progress of long jobs in the current thread during its lifetime; one at a time. Jobs only call
-/// report_progress().
+/// Receives the progress of long jobs that run in the current thread, until it is destroyed. Each thread can
+/// have only one at a time. Jobs report with report_progress().
 class ProgressWatch {
 public:
     /// Starts to receive progress. `go_on` receives the share of the job that is done, 0 to 1, and returns

@@ -113,7 +113,8 @@ void unpack_row(const PictureBytes& bytes, uint64_t at, uint64_t packed, std::ve
         bytes.refuse("is corrupt: a row is too short");
 }
 
-/// Removes the white onto which Photoshop composites transparent pixels.
+/// Removes white from the colours of transparent pixels, because Photoshop has composited these pixels onto
+/// white.
 void take_white_away(Image& image)
 {
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -124,8 +125,8 @@ void take_white_away(Image& image)
     }
 }
 
-/// Decodes the flattened picture of a PSD file: RGB with 8 or 16 bits per channel, and alpha as the fourth.
-/// Throws Error with `name` as its place if the data is damaged or of another kind.
+/// Decodes the flattened picture of a PSD file: RGB with 8 or 16 bits per channel, and alpha as the fourth
+/// channel. Throws Error with `name` as its place if the data is damaged or of another kind.
 Image decode_psd(const PictureBytes& bytes, const std::string& name)
 {
     const Head head = read_head(bytes);
@@ -300,7 +301,7 @@ void check_bmp(const PictureBytes& bytes)
     if (compression != 0 && compression != 3)
         bytes.refuse("holds another format, which is not read");
     if (width > max_image_side || height > max_image_side)
-        return; // The decoder itself rejects larger sizes with its own message
+        return; // The decoder rejects larger sizes with a better message
     bytes.need(pixels_at, (width * bits + 31) / 32 * 4 * height);
 }
 

@@ -38,7 +38,7 @@ struct PngHead {
 
 namespace {
 
-/// Compression level of deflate: as fast as level 3 on drawings, and with smaller files.
+/// Compression level of deflate. On drawings it is as fast as level 3 and gives smaller files.
 constexpr int png_level = 4;
 
 /// Writes the header of a PNG file, marked as sRGB, and sets the compression. May longjmp; see CodecFailure.
@@ -69,7 +69,7 @@ struct PngPixels {
     [[nodiscard]] uint64_t row_bytes() const { return uint64_t{width} * pixel_bytes(); }
 };
 
-// Size of the strips of rows that threads deflate; a strip has at least one row.
+// Size in bytes of the strips of rows that threads compress; a strip has at least one row.
 constexpr uint64_t strip_bytes = 1U << 20U;
 constexpr size_t window_bytes = 32768; // Window of deflate in bytes: how far back repeated data is found
 // First two bytes of zlib data: 32 KiB window, fast level.
@@ -153,7 +153,7 @@ Strip deflated(const PngPixels& pixels, uint64_t first, uint64_t end)
     return strip;
 }
 
-/// Deflates all strips of rows, with one thread per core.
+/// Compresses all strips of rows with deflate, using one thread per core.
 std::vector<Strip> deflate_all(const PngPixels& pixels, uint64_t rows_each)
 {
     std::vector<Strip> strips((pixels.height + rows_each - 1) / rows_each);
@@ -176,11 +176,12 @@ std::vector<Strip> deflate_all(const PngPixels& pixels, uint64_t rows_each)
     return strips;
 }
 
-/// Returns the content of the IDAT chunks of a PNG file, one after another: rows with the Sub filter,
-/// deflated for speed rather than size, in strips on all cores. The bytes do not depend on the number of
+/// Returns the content of each IDAT chunk of a PNG file, in order. Rows get the Sub filter and are compressed
+/// with deflate, for speed rather than size, in strips on all cores. The bytes do not depend on the number of
 /// cores. Throws Error if memory runs out. Cost: 65 ms of one core per megapixel of a drawing.
 ///
-/// Source  the PNG specification, 9 (filters); Adler's pigz, 2007 (strips that share the 32 KiB before)
+/// Source  the PNG specification, 9 (filters); Adler's pigz, 2007 (strips that use the 32 KiB before them as
+/// dictionary)
 std::vector<std::vector<std::byte>> deflate_png_rows(const PngPixels& pixels)
 {
     const uint64_t rows_each = std::max<uint64_t>(strip_bytes / (pixels.row_bytes() + 1), 1);
@@ -230,8 +231,8 @@ bool write(PngWriter& writer, const PngHead& head, const std::vector<std::vector
         png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IDAT"),
                         reinterpret_cast<png_const_bytep>(part.data()), part.size());
     }
-    // Writes the last chunk of the file directly: png_write_end() would fail, because libpng did not deflate
-    // the rows.
+    // Writes the last chunk of the file directly: png_write_end() would fail, because libpng itself has
+    // written no rows.
     png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
     return true;
 }

@@ -9,10 +9,11 @@
 
 namespace estampe {
 
-/// Returns `text` as one line: control characters, which could command a terminal, become "\x1b".
+/// Returns `text` as one line. Control characters, which could be commands for a terminal, are written as
+/// codes such as "\x1b".
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// Returns `text`, or only its beginning and end if it is too long to read.
+/// Returns `text`; if it is too long to read, returns only its beginning and its end.
 [[nodiscard]] std::string shortened(const std::string& text);
 
 /// Returns `text` as one line, in double quotes.

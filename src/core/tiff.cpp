@@ -118,7 +118,7 @@ Tiff open_tiff(TiffSource& source)
 enum class Alpha { straight, premultiplied };
 
 /// Makes libtiff keep straight alpha. libtiff premultiplies colours by unassociated alpha, but textures use
-/// straight alpha, so this code declares the alpha as already associated.
+/// straight alpha, so this code declares the alpha as associated, which prevents the multiplication.
 Alpha take_alpha(TIFF* tiff)
 {
     uint16_t count = 0;
@@ -292,7 +292,8 @@ Image decode_tiff(std::span<const std::byte> data, const std::string& name)
     TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_COMPRESSION, &compression);
     if (compression == COMPRESSION_OJPEG)
         throw Error("TIFF holds JPEG data in the form of 1992, which is not read", name);
-    constexpr uint64_t best_ratio = 1040; // Best compression ratio that deflate can reach
+    // Largest compression ratio of deflate, by which a damaged file is recognised.
+    constexpr uint64_t best_ratio = 1040;
     if (uint64_t{width} * height > 64 * best_ratio * data.size())
         throw Error(
             fmt::format("corrupt TIFF: {} x {} pixels cannot come from {} bytes", width, height, data.size()),

@@ -14,8 +14,8 @@ struct BakedLight {
     float sky = 1.0F;    ///< factor on the style's ambient light
 };
 
-/// Fills `settings` with the light that a picture of `scene` in this style has: the scene's lamps, or the sun
-/// or lamp that the style adds, and the ambient light as a sky.
+/// Fills `settings` with the light of a picture of `scene` in this style: the scene's lamps, or the sun or
+/// lamp that the style adds, and the ambient light as light from the sky.
 void set_light(bake::BakeSettings& settings, const Scene& scene, const features::StyleTables& style,
                const BakedLight& wanted);
 

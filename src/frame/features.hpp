@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All features of a renderer in one place. An event is sent to each feature, and a film's memory is the list
-// of the states that the features save.
+// All features of a renderer in one place. Events, such as a new scene, are passed on to each feature. The
+// saved state of a film consists of the states of all features.
 
 #include <array>
 #include <cstddef>
@@ -48,8 +48,8 @@ struct Features {
                                                gpu::Executor& executor);
 
 /// Restores the state that save_film() returned, so that the next frame continues from it. Throws Error when
-/// `memory` is damaged or comes from another version or another scene; the next frame then starts without a
-/// history.
+/// `memory` is damaged or comes from another version or another scene; the next frame then starts as the
+/// first frame of a film.
 void load_film(Features& features, gpu::Device& device, std::span<const std::byte> memory);
 
 } // namespace estampe::frame

@@ -25,7 +25,7 @@ void declare_frame(const FrameContext& context)
         add_light(context, scene, visibility, surface,
                   {.maps = maps, .smoke = volume, .lightmap = lightmap, .occlusion = occlusion});
 
-    // Steps that draw ink strokes, as paths or as image layers.
+    // Steps that draw ink strokes, as paths or as images.
     const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen);
     const contour::ContourInputs outlining = contour_inputs(context, scene, visibility, surface, lit, screen);
     if (context.job.lists != nullptr) {
@@ -51,7 +51,7 @@ void declare_frame(const FrameContext& context)
                                                .size_px = context.sample.size_px},
                                               context.style.bleed);
 
-    // Steps for the colour under the ink, and for the composition on paper.
+    // Steps that compute the colour under the ink, and that compose colour and ink on paper.
     const std::optional<gpu::BufferId> far_tiles = add_far_tiles(context, scene, surface);
     Colors colors = add_colors(context, scene, surface, lit.light, screen, far_tiles);
     colors = add_seen_through(context, scene, visibility, surface, maps, screen, colors);

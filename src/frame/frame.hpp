@@ -10,10 +10,12 @@
 
 namespace estampe::frame {
 
-/// Buffers that are uploaded for each frame or read back from it, in addition to those of the features.
+/// Buffers that are uploaded for each frame, or read back after the frame. Features have further buffers of
+/// their own.
 struct FrameBuffers {
     gpu::Buffer frame_globals; ///< FrameGlobals (camera and page) of the picture
-    /// FrameGlobals of a square page with the size of the map in which subsurface light spreads.
+    /// FrameGlobals (camera and page) of a square page with the size of the texture atlas in which subsurface
+    /// light spreads.
     gpu::Buffer map_frame_globals;
     gpu::Buffer half_frame_globals; ///< FrameGlobals of the page at half resolution
     /// Style variant of each draw call; only used if the plan has several variants.
@@ -29,8 +31,8 @@ struct FrameBuffers {
 struct FrameJob {
     paper::Accumulation accumulation;
     bool is_first = true;                    ///< the frame is the first of its picture
-    std::optional<features::PixelRect> tile; ///< part of the page to draw; none draws the whole page
-    std::optional<features::Survey> survey;  ///< the whole page at reduced resolution, if that is drawn
+    std::optional<features::PixelRect> tile; ///< part of the page to draw; none: the whole page
+    std::optional<features::Survey> survey; ///< the whole page at reduced resolution, if such a page is drawn
     /// If not null, the frame outputs strokes as paths into this list instead of pixels.
     StrokeLists* lists = nullptr;
     /// If not null, the frame outputs floats into this page in addition to bytes.
@@ -53,12 +55,12 @@ struct FrameContext {
     const FramePlan& plan;
     const SamplePlan& sample;
     const features::StyleTables& style;
-    /// Scratch list, cleared for each frame; keeps its capacity.
+    /// Temporary list, cleared for each frame; its memory is kept for the next frame.
     std::vector<wash::WashVariant>& wash_variants;
 };
 
-/// Declares the passes of one sample of a picture, in order. If the job has stroke lists, declares instead
-/// the passes that fill these lists.
+/// Declares the passes of one sample of a picture, in order. If the job has stroke lists, declares the passes
+/// that fill these lists, and no passes that draw a picture.
 void declare_frame(const FrameContext& context);
 
 } // namespace estampe::frame

@@ -18,8 +18,8 @@
 namespace estampe::frame {
 namespace {
 
-/// Counts how many samples of each pixel show each object. Most pixels show a single object, so the first
-/// object is stored in place and only others in a map.
+/// Counts how many samples of each pixel show each object. Most pixels show a single object, so the count of
+/// the first object is stored in an array, and only the counts of other objects in a map.
 class Shares {
 public:
     explicit Shares(size_t pixel_count) : first_(pixel_count), first_count_(pixel_count) {}
@@ -35,7 +35,7 @@ public:
 private:
     std::vector<uint32_t> first_; ///< the first object seen at each pixel
     std::vector<uint32_t> first_count_;
-    /// Number of samples that show another object, by pixel and object.
+    /// Number of samples that show an object other than the first, by pixel and object.
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> rest_;
 };
 
@@ -59,8 +59,8 @@ float factor(float below, float wanted)
     return below > 0.0F ? wanted / below : 1.0F;
 }
 
-/// Returns the premultiplied colour that changes `below` into `wanted` when composited over `below`. Means
-/// over samples may need more alpha than their mean coverage, so alpha is raised until no colour is negative.
+/// Returns the premultiplied colour that changes `below` into `wanted` when composited over `below`. A mean
+/// over samples may need more alpha than the mean coverage, so alpha is raised until no colour is negative.
 glm::vec4 laid_over(const glm::vec3& below, const glm::vec4& wanted)
 {
     float alpha = std::clamp(wanted.w, 0.0F, 1.0F);
@@ -136,9 +136,9 @@ PictureMask cropped_mask(std::string name, uint32_t page_width, const Shares::Pl
     return mask;
 }
 
-/// Derives a layer from each pair of successive stages. Composed in order, the layers reproduce each stage up
-/// to float rounding. In a transparent picture the paper is a hidden layer, and the wash is blended by alpha
-/// instead of multiplied.
+/// Computes each layer as the difference between two successive stages of the drawing. The layers, composed
+/// in order, reproduce each stage except for rounding errors. In a transparent picture the paper is a hidden
+/// layer, and the wash is blended by alpha instead of multiplied.
 std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t width, uint32_t height)
 {
     const size_t count = size_t{width} * height;
@@ -226,7 +226,7 @@ private:
                                  "smoke", "shadow", "occlusion", "clouds"};
 };
 
-/// The rectangle of pixels inside the page's margin; `last` is exclusive.
+/// The rectangle of pixels inside the page's margin; `last` is just outside the rectangle.
 struct PixelWindow {
     glm::uvec2 first{0};
     glm::uvec2 last{0};

@@ -18,12 +18,12 @@
 namespace estampe::frame {
 namespace {
 
-/// Copies the parts of the scene from which poses are computed. Geometry and images are left out, because
-/// they are already on the device.
+/// Copies those parts of the scene that are needed to compute poses. Geometry and images are left out,
+/// because they are already on the device.
 Scene without_images(const Scene& scene)
 {
-    // The structured binding lists all members of Scene, so that a new member cannot be forgotten. Images may
-    // take most of the bytes.
+    // The structured binding lists all members of Scene, so that the compiler reports a new member that is
+    // missing here. Images are not copied, because they may take most of the memory.
     const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
                  frames_per_s, variants, terrain, used, ignored, missing, unit, warnings] = scene;
     Scene copy{name,       {},           materials, meshes,  nodes, roots,   skins,   lights, cameras,
@@ -59,8 +59,8 @@ Index add_one_sided(Scene& scene, Index material)
     return static_cast<Index>(scene.materials.size() - 1);
 }
 
-/// Adds back-facing triangles to each primitive of a cloth node, if the cloth's back has a material of its
-/// own.
+/// Adds triangles that face backwards to each primitive of a cloth node, if the back of the cloth has another
+/// material than the front.
 void part_sides(Scene& scene, Node& node)
 {
     Mesh parted = scene.meshes[node.mesh];
@@ -87,7 +87,7 @@ void part_sides(Scene& scene, Node& node)
     }
 }
 
-/// Gives cloth sheets with a back material a front and a back.
+/// Gives each cloth sheet with a separate back material triangles for its front and its back.
 Scene with_both_sides(const Scene& scene)
 {
     Scene result = scene;
@@ -160,7 +160,7 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     const bool has_cloth = features::MovingCloth::is_in(given);
     const Scene two_sided = has_cloth ? with_both_sides(given) : Scene{};
     const Scene& whole = has_cloth ? two_sided : given;
-    // The terrain's material is added to the scene last.
+    // The terrain's material is added to the scene as the last material.
     const Scene grounded = whole.terrain ? features::with_terrain_node(whole) : Scene{};
     const Scene& scene = whole.terrain ? grounded : whole;
     LoadedScene loaded;
@@ -198,7 +198,7 @@ void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodeP
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)
 {
-    // Zones keep their meshes in the scene, because ink needs the shapes.
+    // Ink zones keep their meshes in the scene, because the flowing ink needs their shapes.
     std::vector<std::pair<Index, Index>> hidden;
     for (Index node = 0; node < loaded.ink_zones.size(); ++node) {
         if (loaded.ink_zones[node]) {

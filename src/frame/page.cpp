@@ -60,8 +60,8 @@ void check_size(const gpu::Device& device, const RenderSettings& settings)
 SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float pixels_per_mm,
                        glm::vec2 from_px)
 {
-    // Margin for the uneven edge of the picture, which strays less than this; see edge_stray_mm in
-    // compose.comp.
+    // Margin for the uneven edge of the picture. The edge deviates from a straight line by less than this;
+    // see edge_stray_mm in compose.comp.
     constexpr float strays_mm = 0.3F;
     const paper::Window window = paper::window_of(style, static_cast<float>(page_px.x) / pixels_per_mm);
     const glm::vec2 min_px = (window.min_mm - strays_mm) * pixels_per_mm - from_px;
@@ -93,8 +93,8 @@ Tile whole_page(glm::uvec2 page_px)
 
 uint32_t overlap_px(const features::StyleTables& style, float pixels_per_mm)
 {
-    // Overlap of a tile: a pixel also depends on its neighbours, for a surface's slope and for edges between
-    // pixels.
+    // Smallest overlap of tiles, because a pixel also depends on its neighbours: for a surface's slope, and
+    // for edges between pixels.
     constexpr uint32_t neighbours_px = 4;
     return bleed::reach_px(style.bleed, pixels_per_mm) +
            std::max(hatch::reach_px(style.hatch, pixels_per_mm),
@@ -191,7 +191,7 @@ void declare_page(gpu::Graph& graph, const paper::ComposeInputs& layers, const p
 {
     const glm::uvec2 size_px = layers.size_px;
     const bool is_last = accumulation.is_last();
-    // Only the last sample writes visible pixels; earlier samples are added to the sums.
+    // Only the last sample of a picture writes visible pixels; earlier samples are only added to the sums.
     gpu::BufferId pixels = target == nullptr && is_last
                                ? gpu::import_whole(graph, "pixels", page.pixels)
                                : graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y});

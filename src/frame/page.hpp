@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The page is the output of a picture, in bytes or in floats, whole or layer by layer. The page may be drawn
-// in tiles. All plans are made for the whole page; a tile is a window into it, seen by the same camera with a
-// cropped projection and an offset of its first pixel on the page.
+// The page: the output of a picture, in bytes or in floats, as a whole or by layers. The page may be drawn in
+// tiles. All plans are made for the whole page. A tile is a window into the page: it has the same camera with
+// a cropped projection, and an offset of its first pixel.
 
 #include <cstdint>
 #include <optional>
@@ -22,7 +22,7 @@ namespace estampe::frame {
 
 /// Images and buffers for the output of a picture, reused for the next picture of the same size.
 struct Page {
-    gpu::Image sums;    ///< running sums of the samples of a picture; one texel for a single sample
+    gpu::Image sums;    ///< running sums of the samples of a picture; one texel if there is a single sample
     gpu::Buffer pixels; ///< pixels of the picture, four bytes each, for reading back
 };
 
@@ -45,10 +45,10 @@ struct PageLimits {
 /// the device's limit for a picture that is too large.
 void check_size(const gpu::Device& device, const RenderSettings& settings);
 
-/// The part of a page inside the paper's margin, in pixels of the drawn tile.
+/// The part of a page inside the paper's margin, in pixels of the tile that is drawn.
 struct SeenWindow {
     glm::uvec2 min_px{0};
-    glm::uvec2 max_px{0}; ///< lower right corner of the window, exclusive
+    glm::uvec2 max_px{0}; ///< lower right corner of the window, just outside it
 };
 
 /// Returns the window of a tile whose first pixel is at `from_px` on the page. Pixels outside the window are
@@ -56,11 +56,12 @@ struct SeenWindow {
 [[nodiscard]] SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float pixels_per_mm,
                                      glm::vec2 from_px);
 
-/// Creates the images and buffers that `page` lacks for a picture of this size.
+/// Creates images and buffers for a picture of this size, unless `page` already has them.
 void ensure_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples);
 
 struct Tile {
-    /// Rectangle that is drawn: `kept` with the overlap around it that its pixels depend on.
+    /// Rectangle that is drawn: the rectangle `kept` and an overlap around it, because pixels depend on their
+    /// neighbours.
     features::PixelRect drawn;
     /// Rectangle that is copied to the page; the kept rectangles of all tiles cover each pixel exactly once.
     features::PixelRect kept;
@@ -74,20 +75,20 @@ struct Tile {
 /// computed for the whole page needs no overlap.
 [[nodiscard]] uint32_t overlap_px(const features::StyleTables& style, float pixels_per_mm);
 
-/// Divides the page into tiles, row by row from the upper left; no tile is drawn with a side above `most_px`.
-/// All tiles are drawn at one size, so that resources are reused: tiles at the right and bottom edge get a
-/// larger overlap. Throws Error when the overlap leaves no kept pixels.
+/// Divides the page into tiles, row by row from the upper left; no side of a drawn tile is longer than
+/// `most_px`. All tiles are drawn at one size, so that resources are reused: tiles at the right and bottom
+/// edge get a larger overlap. Throws Error when the overlap is so large that no pixels of a tile can be kept.
 [[nodiscard]] std::vector<Tile> tiles_of(glm::uvec2 page_px, uint32_t most_px, uint32_t overlap);
 
 /// Plans a survey: a picture of the whole page at reduced resolution, as large as `most_pixels` and the
 /// longest side `most_px` allow.
 [[nodiscard]] features::Survey survey_of(glm::uvec2 page_px, uint32_t most_px, uint64_t most_pixels);
 
-/// Output of one picture in floats, in addition to its bytes.
+/// Output of a picture in floats, which are stored in addition to bytes.
 struct LinearPage {
     struct Stage {
         paper::Stage stage = paper::Stage::lines;
-        gpu::Image sums;    ///< running sums of the samples of a picture; one texel for a single sample
+        gpu::Image sums; ///< running sums of the samples of a picture; one texel if there is a single sample
         gpu::Buffer pixels; ///< pixels of the picture, four floats each, for reading back
     };
 
@@ -107,7 +108,7 @@ struct LinearPage {
     [[nodiscard]] bool has_layers() const { return !draws.empty(); }
 };
 
-/// Describes the images that a page in floats holds.
+/// Tells which images a page in floats contains.
 struct LinearPageKind {
     bool has_layers = false; ///< the page holds an image after each layer; otherwise only the picture
     bool has_ink = false;    ///< the page also holds an image after flowing ink
@@ -122,7 +123,7 @@ struct LinearPageKind {
                                           LinearPageKind kind);
 
 /// Declares the passes that compose the layers of a sample on paper and add the result to the previous
-/// samples. The last sample writes to `target`, or to the page's pixels if that is null.
+/// samples. The last sample writes to `target`, or to the page's pixels if `target` is null.
 void declare_page(gpu::Graph& graph, const paper::ComposeInputs& layers, const paper::PaperStyle& style,
                   const paper::Accumulation& accumulation, Page& page, const VulkanPicture* target);
 
@@ -135,7 +136,7 @@ struct LinearPageInputs {
     std::optional<gpu::ImageId> cloud_cover;
 };
 
-/// Declares the passes that fill `page`, which must outlive the graph.
+/// Declares the passes that fill `page` with floats. `page` must outlive the graph.
 void declare_linear_page(gpu::Graph& graph, const LinearPageInputs& in, const paper::PaperStyle& style,
                          const paper::Accumulation& accumulation, LinearPage& page);
 

@@ -18,8 +18,8 @@ namespace {
 
 PagePlan plan_page(const PlanInputs& in)
 {
-    // By default, a scene file with a camera is treated as a composed picture, and a file with a camera and a
-    // sun as outdoors.
+    // By default, a scene file with a camera is assumed to be a composed picture. A file with a camera and a
+    // sun is assumed to show an outdoor scene.
     const Scene& scene = in.loaded.scene;
     const bool is_composed = !scene.cameras.empty();
     const bool is_outdoors = is_composed && in.lighting.directional_count > 0 && !scene.lights.empty();

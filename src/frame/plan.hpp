@@ -38,7 +38,7 @@ namespace estampe::frame {
 struct PagePlan {
     glm::uvec2 size_px{0};
     float pixels_per_mm = 1.0F;
-    features::PixelSize pixel; ///< size that a page pixel covers in the scene
+    features::PixelSize pixel; ///< size of a pixel in the scene
     bool has_ground = false;
     bool has_sky = false;
     /// The sky is painted behind the scene; otherwise the sky's colour only appears in haze.
@@ -62,10 +62,11 @@ struct SunPlan {
     features::GroundShadowPlan ground;
 };
 
-/// Plan of all lights, except for the sun's position.
+/// Plan of all lights, except for the position of the sun.
 struct LightPlan {
     uint32_t local_count = 0;
-    bool leads_strokes = false;  ///< some strokes follow the light's direction, and there are local lights
+    /// some strokes follow the light's direction, and there are local lights (lamps).
+    bool leads_strokes = false;
     bool has_links = false;      ///< some objects are not lit or shadowed by all lights
     float lightmap_scale = 1.0F; ///< factor that converts the lightmap's exposure to the frame's exposure
     float ambient = 0.0F;        ///< luminance of the ambient light; only set if there is smoke
@@ -89,7 +90,7 @@ struct SubsurfacePlan {
     bool scatters = false;
 };
 
-/// Plan of how the edges of shadows are drawn.
+/// Plan of the edges of shadows.
 struct EdgePlan {
     shared::EdgeProfile profile; ///< shape of jagged shadow edges
     uint32_t variant = 0;        ///< variant of the shadow shader, see shadow/shadow_style.hpp
@@ -97,7 +98,7 @@ struct EdgePlan {
 
 struct LinePlan {
     float half_px = 1.0F;        ///< half the width of the scene's widest line, in pixels
-    bool of_shadows = false;     ///< the edges of the sun's shadow are drawn as lines
+    bool of_shadows = false;     ///< the edges of the sun's shadow are drawn as ink lines
     bool are_remembered = false; ///< lines continue from one picture of a film to the next
 };
 
@@ -114,7 +115,7 @@ struct MotionBlurPlan {
     shared::SmearConstants smear;
 };
 
-/// The plan of one picture, equal for all of its samples.
+/// The plan of one picture, the same for all of its samples.
 struct FramePlan {
     glm::uvec2 page_px{0}; ///< size of the whole page, even while `page` describes a tile or a survey
     PagePlan page;
@@ -143,14 +144,14 @@ struct FramePlan {
     std::optional<features::MotionPlan> motion;
     std::optional<MotionBlurPlan> motion_blur;
     std::optional<features::InkPlan> ink; ///< plan of the flowing ink
-    /// Boxes of smoke that was already simulated for the wind on cloth.
+    /// Boxes of smoke, if the smoke was already simulated because its velocity is the wind on cloth.
     std::optional<std::vector<smoke::Box>> risen;
     std::vector<smoke::Lamp> lamps; ///< lamps that light smoke; empty without smoke
     std::optional<features::SmokePlan> smoke;
 };
 
-/// The part of a picture's plan that differs between samples and tiles. The first sample leaves results on
-/// the device that the other samples reuse.
+/// The part of a picture's plan that differs between samples and tiles. Results of the first sample stay on
+/// the device, and the other samples reuse them.
 struct SamplePlan {
     paper::Accumulation accumulation;
     bool is_first = true;             ///< no sample or tile of the picture has been drawn yet
@@ -163,7 +164,7 @@ struct SamplePlan {
     float line_step_px = 3.0F; ///< approximate distance between sample points along a line
 };
 
-/// Lists of an old plan, whose memory the next plan reuses.
+/// Lists of an earlier plan. The next plan reuses their memory.
 struct PlanLists {
     std::vector<features::StyleTables> styles;
     std::vector<uint32_t> kind_of_draw;
@@ -178,9 +179,10 @@ struct PlanInputs {
     const RenderSettings& settings;
     const features::StyleTables& style;
     const gpu::Device& device;
-    /// Path with which triangles are rasterised; never automatic.
+    /// Path with which triangles are rasterised; never RasterPath::automatic.
     RasterPath raster_path = RasterPath::compute;
-    RasterPath wanted_path = RasterPath::automatic; ///< path that the options ask for; may be automatic
+    /// raster path that the options ask for; may be automatic.
+    RasterPath wanted_path = RasterPath::automatic;
     sky::CloudMemory& clouds;
 };
 
@@ -189,15 +191,15 @@ struct PlanInputs {
 [[nodiscard]] FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px,
                                     const features::StyleTables& style);
 
-/// Approximate distance between sample points along a line. The distance is chosen so that lines bend as
-/// finely as on a page that is `shrink` times as large.
+/// Approximate distance between sample points along a line. On a page that is `shrink` times smaller, the
+/// distance is shorter, so that lines have the same shape as on the full page.
 [[nodiscard]] inline float line_step_px(uint32_t shrink)
 {
     return std::max(3.0F / static_cast<float>(shrink), 1.0F);
 }
 
-/// Plans the parts of a picture that allocate nothing on the device. Leaves the defaults for shadows of local
-/// lights, motion, exposure adaptation and the history of lines. Cost: linear in draw calls.
+/// Plans the parts of a picture that allocate nothing on the device. Shadows of lamps, motion, exposure
+/// adaptation and the history of lines keep their default values. Cost: linear in draw calls.
 [[nodiscard]] FramePlan plan_frame(const PlanInputs& in, PlanLists room = {});
 
 struct LensSetting {
@@ -214,8 +216,8 @@ struct LensSetting {
 /// name that matches no object.
 [[nodiscard]] double focus_distance_m(const LensSetting& in, std::vector<std::string>& notes);
 
-/// Plans the lens of a picture. Returns nothing if the style has no lens, and for a parallel projection, for
-/// which it adds a note.
+/// Plans the lens of a picture. Returns nothing if the style has no lens. For a parallel projection also
+/// returns nothing, and adds a note.
 [[nodiscard]] std::optional<shared::LensConstants> plan_lens(const LensSetting& in,
                                                              std::vector<std::string>& notes);
 

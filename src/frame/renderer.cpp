@@ -136,7 +136,7 @@ void Renderer::Impl::posed()
 
 namespace {
 
-/// Returns the camera's globals for lighting a square map instead of the page.
+/// Returns the FrameGlobals (camera and page) with which a square texture atlas is lit instead of the page.
 shared::FrameGlobals map_globals(const shared::FrameGlobals& globals, uint32_t size)
 {
     shared::FrameGlobals of_map = globals;
@@ -199,7 +199,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
                                 .wash_variants = wash_variants};
     declared.clear();
     frame::declare_frame(context);
-    // The passes compiled ahead must be destroyed before the graph.
+    // `ahead` compiles the pipelines of the graph's passes in advance; it must be destroyed before the graph.
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead);
     if (compiling) {
         compiling->start(declared);
@@ -216,13 +216,13 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
     if (plan.sun.ground.is_thrown) {
         features.shadows.ground().drawn(plan.sun.ground, *loaded->terrain);
     }
-    compiling.reset(); // the compiling thread reads the graph, so it ends first
+    compiling.reset(); // another thread compiles and reads the graph, so it must end first
     std::swap(drawn, declared);
 }
 
 namespace {
 
-/// The height of the page inside its margin, as a share of the page's height.
+/// Returns the height of the page without its margin, as a share of the page's height.
 double window_share(const paper::PaperStyle& style, const RenderSettings& settings)
 {
     const float page_width_mm =
@@ -255,8 +255,8 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     plan.ink = features.ink.ensure(device, executor, ink_inputs(seen_by, tables, settings), notes);
     plan.smoke = plan_smoke(plan, tables, settings);
     frame::ensure_page(device, buffers.page, plan.page_px, settings.samples);
-    // Later samples of a picture differ from its first sample by a pixel at most, and their lines keep no
-    // history.
+    // Later samples of a picture differ from its first sample by a pixel at most. Their lines are not stored
+    // for the next frame of a film.
     plan.lines.are_remembered =
         is_of_film && features.lines.meshes().ensure(device, loaded->layout, plan.variants.lines) != nullptr;
     if (plan.lines.are_remembered) {

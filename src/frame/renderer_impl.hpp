@@ -33,8 +33,8 @@ struct Renderer::Impl {
         : options(std::move(renderer_options)), device(options), executor(device),
           raster_path(raster::choose_path(device, executor, options.raster))
     {
-        // With validation, objects get names through global function pointers, which a second Vulkan instance
-        // would replace.
+        // With validation, Vulkan objects get names through global function pointers, which must not be
+        // replaced by those of a second Vulkan instance.
         if (device.info().software && !options.validation) {
             ahead = std::make_unique<gpu::CompileAhead>(options);
         }
@@ -57,22 +57,23 @@ struct Renderer::Impl {
 
     void update_pose(const ScenePose& scene_pose);
 
-    /// Adds passes that pose the vertices that moved. After the graph has run, call pose::keep_posed().
+    /// Adds passes that compute the posed positions of all vertices that have moved. After the graph has run,
+    /// call pose::keep_posed().
     [[nodiscard]] gpu::BufferId add_moved(gpu::Graph& graph);
-    /// Records that the device has posed the vertices.
+    /// Records that the posed vertices on the device are up to date.
     void posed();
-    /// Poses the scene at the settings' time, unless it already has that pose. The result is valid until the
-    /// next call.
+    /// Poses the scene at the settings' time, unless the scene already has this pose. The result is valid
+    /// until the next call.
     const ScenePose& pose_at(const RenderSettings& settings);
-    /// Moves the anchor (the origin of the device's positions) along with an eye that has travelled far over
-    /// the ground, so that floats stay precise there.
+    /// Moves the anchor (the origin of positions on the device) towards the eye when the eye has travelled
+    /// far over the ground. Floats then stay precise near the eye.
     void follow_eye(const Camera& camera);
     [[nodiscard]] light::Lighting gather_lights(const Camera& camera, const ScenePose& scene_pose,
                                                 const features::StyleTables& tables);
     /// Updates the terrain's mesh for the position of the eye.
     void update_terrain(const Camera& camera, const RenderSettings& settings,
                         const features::StyleTables& style);
-    /// Informs the features of new meshes, and rebuilds the cloth. Call this function after the meshes may
+    /// Informs the features of new meshes, and rebuilds the cloth. Call this function whenever the meshes may
     /// have been rebuilt.
     void note_layout();
     /// Passes the velocity of smoke to cloth as wind, if the style asks for it. Simulates the smoke first,
@@ -88,8 +89,8 @@ struct Renderer::Impl {
     [[nodiscard]] std::optional<features::SmokePlan> plan_smoke(const frame::FramePlan& plan,
                                                                 const features::StyleTables& tables,
                                                                 const RenderSettings& settings);
-    /// Returns the earlier time that a picture needs for motion, flowing ink or exposure; none if it needs
-    /// none of these.
+    /// Returns the earlier time at which the scene must also be known, for motion, flowing ink or exposure.
+    /// Returns none if the picture needs no earlier time.
     [[nodiscard]] std::optional<double> moment_before(const RenderSettings& settings,
                                                       const features::StyleTables& style) const;
     [[nodiscard]] std::optional<frame::MotionBlurPlan>
@@ -109,10 +110,10 @@ struct Renderer::Impl {
     /// Uploads the data that the lighting shaders read.
     void upload_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                          const features::StyleTables& tables);
-    /// Uploads the data of lighting and lines that depends on the size of a pixel.
+    /// Uploads those data of lighting and lines that depend on the size of a pixel.
     void upload_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables);
     void ensure_variants(const frame::FramePlan& plan);
-    /// Creates the texture atlases over all surfaces that the style asks for.
+    /// Creates the texture atlases over all surfaces that the style requires.
     void ensure_surface_maps(const frame::FramePlan& plan);
     /// Prepares everything that the first sample of a picture needs. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const features::StyleTables& tables,
@@ -123,11 +124,11 @@ struct Renderer::Impl {
     /// Returns whether a picture is drawn in tiles: because the settings ask for it, or because it is too
     /// large for the device.
     [[nodiscard]] bool is_tiled(const RenderSettings& settings) const;
-    /// Draws the picture of draw_picture() tile by tile, and copies the tiles to the sink.
+    /// Draws the picture of draw_picture() tile by tile, and passes the tiles to the sink.
     void draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                     const BandSink& sink);
-    /// Simulates the flowing ink on a page that is drawn in one pass, and returns the ink's plan for a page
-    /// that is drawn in tiles.
+    /// Simulates the flowing ink on the whole page in one pass. Returns the ink's plan for a page that is
+    /// then drawn in tiles.
     [[nodiscard]] features::InkPlan let_ink_flow(const Camera& camera, const features::StyleTables& tables,
                                                  const RenderSettings& settings);
     /// Computes the data that tiles share: the lines of each sample, and the brightness of the page.
@@ -152,7 +153,7 @@ struct Renderer::Impl {
     PosedScene posed_scene;
     bool force_repose = false;         ///< the scene is posed again even if no node moved
     bool is_of_film = false;           ///< the last frame was part of a film
-    features::StyleTables drawn_style; ///< memory of the result of tables_of()
+    features::StyleTables drawn_style; ///< result of tables_of(), kept here so that its memory is reused
     frame::Features features;
     frame::FrameBuffers buffers;
     Motion motion;

@@ -57,15 +57,15 @@ std::optional<double> Renderer::Impl::moment_before(const RenderSettings& settin
     if (settings.exposure_end) {
         return settings.exposure_end->time_s;
     }
-    // An animation has no pose before its start, because it would loop to its end; so the interval of the
-    // first exposure looks forward instead.
+    // Before the start of an animation there is no pose, because the animation would loop to its end. The
+    // exposure interval of the first picture therefore extends forward in time.
     const double half_s = 0.5 * motion_blur::exposure_s(style.motion_blur);
     return settings.time_s + (settings.time_s < half_s ? half_s : -half_s);
 }
 
 namespace {
 
-/// Extrapolates the camera linearly in time: `share` = 0 gives `now`, 1 gives `before`.
+/// Extrapolates the camera linearly in time. `share` = 0 gives the camera `now`, 1 gives the camera `before`.
 Camera carried_back(const Camera& now, const Camera& before, double share)
 {
     Camera back = before;
@@ -88,7 +88,7 @@ Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& pa
     const double half_s = settings.exposure_end ? settings.time_s - settings.exposure_end->time_s
                                                 : 0.5 * motion_blur::exposure_s(style.motion_blur);
     const double back_s = settings.time_s - *before_s;
-    // If only the camera moves, `back_s` and `half_s` may both be 0.
+    // If only the camera moves, the times `back_s` and `half_s` may both be 0.
     const double share = back_s == half_s ? 1.0 : back_s / half_s;
     if (share == 0.0 || !std::isfinite(share)) {
         return std::nullopt;
@@ -124,7 +124,7 @@ features::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const Ren
 
 namespace {
 
-/// Centre of the square in which trails in the sand are visible: ahead of the eye, or around it when the
+/// Centre of the square in which trails in the sand are visible: ahead of the eye, or below the eye when the
 /// camera looks straight down.
 glm::dvec2 middle_of_trails(const Camera& camera, double extent_m)
 {
@@ -205,7 +205,7 @@ void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& 
         loaded->footprints->add_catching_up(graph);
         executor.run(graph);
     }
-    // Posing the scene overwrites the terrain's vertices, too.
+    // Posing the scene also overwrites the terrain's vertices on the device.
     loaded->terrain_moved = loaded->terrain_moved || has_moved || loaded->pose_moved;
 }
 

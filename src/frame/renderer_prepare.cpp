@@ -83,8 +83,7 @@ features::ClothInputs Renderer::Impl::cloth_inputs(const RenderSettings& setting
 light::Lighting Renderer::Impl::gather_lights(const Camera& camera, const ScenePose& scene_pose,
                                               const features::StyleTables& tables)
 {
-    // The edges in which lines are searched are found on another thread, while this thread prepares the
-    // picture.
+    // Another thread finds the mesh edges that may become lines, while this thread prepares the picture.
     const std::future<void> edges = features.lines.meshes().find_edges(loaded->layout, tables.contour);
     return light::gather_lights(
         loaded->scene, scene_pose, loaded->layout.bounds, loaded->layout.anchor, tables.light,
@@ -121,10 +120,10 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
     }
     const bool has_cloth_moved = features.cloth.has_moved();
     const std::optional<double> before_s = moment_before(settings, tables);
-    // The device may still hold the previous picture's pose, from which flowing ink continues.
+    // If the device still holds the pose of the previous picture, flowing ink continues from this pose.
     const bool is_there = before_s && !settings.motion_since && loaded->pose && !advance.posed_scene &&
                           before_s == features.ink.before_s(settings, tables.ink);
-    // Cloth changes without a new pose, so the scene is posed again at both moments.
+    // Cloth can change while the pose stays the same, so the scene is posed again at both moments.
     force_repose = before_s && has_cloth_moved;
     if (before_s && !is_there) {
         pose_before(frame::pose_at(*loaded, *before_s, settings.animation));

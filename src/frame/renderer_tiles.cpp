@@ -21,8 +21,8 @@ constexpr uint64_t most_survey_pixels = uint64_t{1} << 27U;
 /// Approximate device memory in bytes that one pixel needs while a picture is drawn.
 constexpr uint64_t bytes_a_pixel = 160;
 
-/// Largest number of pixels of the survey, which draws the whole page at a lower resolution. The survey gets
-/// half of the device's memory, as the data that tiles share needs the rest.
+/// Largest number of pixels of the survey, which draws the whole page at a lower resolution. The survey may
+/// use half of the device's memory; data that all tiles share needs the other half.
 uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limits)
 {
     return std::min({limits.pixels, most_survey_pixels, device.memory().whole_bytes() / (2 * bytes_a_pixel)});
@@ -30,11 +30,11 @@ uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limit
 
 uint32_t automatic_tile_px(const frame::PageLimits& limits, uint32_t overlap)
 {
-    // A tile with a side of at least 7 overlaps keeps half or more of its drawn pixels.
+    // If the side of a tile is at least 7 times the overlap, half or more of the drawn pixels are kept.
     return std::min(std::max(usual_tile_px, 7 * overlap), limits.side_px);
 }
 
-/// Copies the kept part of a tile to its place in a band of rows.
+/// Copies the kept rectangle of a tile to its place in a band of pixel rows.
 void copy_kept(const gpu::Buffer& pixels, const frame::Tile& tile, Image& band)
 {
     const glm::uvec2 skipped = tile.kept.from_px - tile.drawn.from_px;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The steps of a frame: the inputs and outputs of each technique. A step declares passes and does not draw
-// yet. Resource handles are arguments and results; everything that is known before the frame begins is in
-// FrameContext.
+// The steps of a frame. Each step passes inputs to a technique and returns its outputs. A step declares
+// passes; the passes run later. Resource handles are arguments and results of steps. FrameContext holds
+// everything that is known before the frame begins.
 
 #include <optional>
 
@@ -20,14 +20,14 @@
 
 namespace estampe::frame {
 
-/// The scene at the time of the frame, and the camera's globals.
+/// The scene posed at the time of the frame, and the camera's FrameGlobals.
 struct PosedScene {
     gpu::BufferId frame; ///< handle of the FrameGlobals buffer
     gpu::BufferId stroke_coordinates;
     gpu::BufferId vertices_before;               ///< vertices as posed in the previous frame
     std::optional<gpu::BufferId> terrain_texels; ///< textures that a terrain's height graph reads
     raster::RasterInputs meshes;
-    /// Bounding boxes of clusters of triangles, if a pass reads them.
+    /// Bounding boxes of clusters of triangles; only set if a pass reads them.
     std::optional<gpu::BufferId> cluster_bounds;
 };
 
@@ -43,12 +43,12 @@ struct SeenThrough {
     std::optional<gpu::BufferId> line_hiders = {};
 };
 
-/// The colour layers of a frame, which lie under the ink.
+/// The colour layers of a frame, over which ink is drawn.
 struct Colors {
     gpu::ImageId wash;
     gpu::ImageId sky_ink;
     gpu::ImageId sky_wash;
-    bool has_sky_ink = false; ///< the sky has ink that is not among the strokes
+    bool has_sky_ink = false; ///< the sky contains ink that is drawn by the sky, not as strokes
     /// Image of the clouds' coverage; set if there are layers and clouds.
     std::optional<gpu::ImageId> cloud_cover = {};
 };
@@ -77,7 +77,7 @@ struct MovingLayers {
 [[nodiscard]] surface::Surface add_surface(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility);
 
-/// Returns the scene's vertices before the motion `moved`.
+/// Returns the vertices of the scene before the motion `moved`.
 [[nodiscard]] gpu::BufferId vertices_before(const FrameContext& context, const PosedScene& scene,
                                             const features::MotionPlan& moved);
 
@@ -101,7 +101,8 @@ void add_motion(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 /// are out of date.
 [[nodiscard]] light::ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene);
 
-/// Reads the light of the scene's lightmap at each pixel; none in a scene without lightmaps.
+/// Adds the pass that reads the light of the scene's lightmap at each pixel; returns none in a scene without
+/// lightmaps.
 [[nodiscard]] std::optional<gpu::ImageId>
 add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
@@ -111,11 +112,11 @@ add_lightmap_light(const FrameContext& context, const PosedScene& scene, gpu::Bu
                                                                        gpu::BufferId visibility,
                                                                        const surface::Surface& surface);
 
-/// Adds the smoke of the scene, if any; it is shaped and lit in the first sample.
+/// Adds the smoke of the scene, if any; smoke is shaped and lit only in the first sample of a picture.
 [[nodiscard]] std::optional<smoke::Volume>
 add_smoke_volume(const FrameContext& context, const PosedScene& scene, const light::ShadowMaps& maps);
 
-/// Results of earlier steps that the light of the frame depends on.
+/// Results of earlier steps that are needed to compute the light of the frame.
 struct LightBefore {
     light::ShadowMaps maps;
     std::optional<smoke::Volume> smoke;
@@ -123,7 +124,8 @@ struct LightBefore {
     std::optional<occlusion::AmbientOcclusion> occlusion; ///< ambient occlusion, from add_occlusion()
 };
 
-/// Computes direct and subsurface light at each pixel, and exposes it if the style meters the page.
+/// Computes direct and subsurface light at each pixel, and applies the exposure if the style measures it on
+/// the page.
 [[nodiscard]] light::LitPixels add_light(const FrameContext& context, const PosedScene& scene,
                                          gpu::BufferId visibility, const surface::Surface& surface,
                                          const LightBefore& before);
@@ -150,8 +152,8 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const light::LitPixels& lit, const SeenThrough& screen);
 
-/// Draws lines where surfaces end, meet or fold. Lines are either linked chains of mesh edges or found
-/// between pixels; edges that a texture cuts out are always found between pixels.
+/// Draws lines where surfaces end, meet or fold. Lines are either chains of linked mesh edges, or they are
+/// found between pixels. Edges that come from a cut-out texture are always found between pixels.
 [[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
 
 /// Draws wind-blown sand over the ink lines of the scene.
@@ -173,8 +175,8 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                 const surface::Surface& surface, const haze::HazeLayers& layers, const Colors& colors);
 
 /// Computes the coverage of each pixel after lens and motion blur, for a transparent background. Returns none
-/// if neither blurs: the wash's alpha is the coverage then. `layers` and `colors` are the inputs of lens and
-/// motion blur; call this before they are modified in place.
+/// if neither lens nor motion blur is used; the alpha of the wash layer is then the coverage. `layers` and
+/// `colors` are the inputs of lens and motion blur; call this before they are modified in place.
 [[nodiscard]] std::optional<gpu::ImageId> add_cover(const FrameContext& context, const PosedScene& scene,
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const haze::HazeLayers& layers, const Colors& colors);
@@ -183,23 +185,23 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 [[nodiscard]] gpu::ImageId add_focus_lines(const FrameContext& context, gpu::ImageId lines);
 
 /// Lists the blocks of pixels where the sky is visible, directly or through haze. Returns none if no pass
-/// needs the list, and on a GPU, where skipping pixels costs less than making the list.
+/// needs the list. Also returns none on a GPU, where testing each pixel takes less time than making the list.
 [[nodiscard]] std::optional<gpu::BufferId> add_far_tiles(const FrameContext& context, const PosedScene& scene,
                                                          const surface::Surface& surface);
 
-/// Paints flat colours, and the sky behind them.
+/// Paints the flat colours of surfaces, and the sky behind the surfaces.
 [[nodiscard]] Colors add_colors(const FrameContext& context, const PosedScene& scene,
                                 const surface::Surface& surface, gpu::ImageId light,
                                 const SeenThrough& screen, const std::optional<gpu::BufferId>& far_tiles);
 
-/// Paints a lit surface in its style variants' colours, with `background` where there is no surface.
+/// Paints a lit surface in its style variants' colours, and `background` at pixels without a surface.
 [[nodiscard]] gpu::ImageId add_paint(const FrameContext& context, const PosedScene& scene,
                                      const surface::Surface& surface, gpu::ImageId light,
                                      const std::optional<gpu::ImageId>& background,
                                      const SeenThrough* screen = nullptr);
 
 /// Adds to `colors` what is visible through clear bodies (such as glass), and paints transparent surfaces one
-/// by one over what lies behind them, if the style asks for either.
+/// after another over the colours behind them. Does so only if the style asks for it.
 [[nodiscard]] Colors add_seen_through(const FrameContext& context, const PosedScene& scene,
                                       gpu::BufferId visibility, const surface::Surface& surface,
                                       const light::ShadowMaps& maps, const SeenThrough& screen,

@@ -17,8 +17,8 @@ const std::vector<wash::WashVariant>& wash_variants(const FrameContext& context)
     return variants;
 }
 
-/// Returns the image that determines the size of strokes on the page; a lens that acts on strokes widens
-/// their footprint.
+/// Returns the image that determines the size of strokes on the page; if the lens blurs strokes, their
+/// footprint is wider.
 gpu::ImageId stroke_footprint(const FrameContext& context, const surface::Surface& surface)
 {
     const bool are_wider = context.plan.lens && context.style.lens.acts_on == lens::ActsOn::strokes &&
@@ -28,8 +28,8 @@ gpu::ImageId stroke_footprint(const FrameContext& context, const surface::Surfac
                      : surface.footprint;
 }
 
-/// Returns the motion that blurs the picture: the motion of the scene, or that of a shape which the style's
-/// mode draws only for its velocities.
+/// Returns the motion that blurs the picture: the motion of the scene, or the motion of a simpler shape,
+/// which some modes of the style draw only to get velocities.
 gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& scene,
                                 const MotionBlurPlan& plan, gpu::ImageId own_motion)
 {
@@ -52,8 +52,8 @@ gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& s
     return motion::add_motion(context.graph, motion_inputs(context, drawn_out, visibility, moved));
 }
 
-/// Returns whether groups of 8 x 8 pixels share their results, which is faster on a GPU. In a tile this
-/// requires that its groups coincide with those of the page.
+/// Returns whether groups of 8 x 8 pixels share their results, which is faster on a GPU. In a tile, the
+/// groups must coincide with the groups of the whole page.
 bool works_by_groups(const FrameContext& context)
 {
     const glm::uvec2 beside_px = glm::uvec2(context.sample.from_px) % 8U;
@@ -216,7 +216,8 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
     }
     const gpu::ImageId own_motion =
         motion::add_motion(context.graph, motion_inputs(context, scene, visibility, plan->motion));
-    // Both matrices contain the sample's subpixel jitter, so that the difference is the body's own motion.
+    // Both matrices contain the sample's subpixel jitter, so that the jitter cancels out and only the motion
+    // of the object remains.
     const glm::mat4 shifted_before(glm::dmat4(context.sample.clip_from_anchor) *
                                    glm::inverse(glm::dmat4(plan->motion.clip_from_anchor)) *
                                    glm::dmat4(plan->motion.clip_from_anchor_before));
@@ -264,8 +265,8 @@ gpu::ImageId add_focus_lines(const FrameContext& context, gpu::ImageId lines)
 
 namespace {
 
-/// Distance from the eye beyond which pixels may show sky: nearer surfaces hide the sky, farther ones may
-/// have haze.
+/// Distance from the eye beyond which pixels may show sky: nearer surfaces hide the sky completely, farther
+/// surfaces may be mixed with it by haze.
 float sky_shows_from_m(const FrameContext& context)
 {
     constexpr float nowhere_m = 1e30F;

@@ -17,7 +17,8 @@ std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const
     if (!context.loaded.terrain || !context.plan.sun.ground.is_thrown) {
         return std::nullopt;
     }
-    // With several samples or tiles, the first one finds the terrain's shadow and the others reuse it.
+    // If there are several samples or tiles, only the first one computes the terrain's shadow, and the others
+    // reuse it.
     const SamplePlan& sample = context.sample;
     const bool is_picture = sample.accumulation.sample_count == 1 && sample.size_px == context.plan.page_px;
     return context.features.shadows.ground().record(
@@ -30,8 +31,8 @@ std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const
          .clip_from_anchor = is_picture ? std::optional(sample.clip_from_anchor) : std::nullopt});
 }
 
-/// Returns the share of sunlight that passes terrain, clouds and smoke, whose shadows are not in the shadow
-/// map.
+/// Returns the share of sunlight that is not blocked by terrain, clouds and smoke. These are not in the
+/// shadow map.
 std::optional<gpu::ImageId> add_sun_share(const FrameContext& context, const PosedScene& scene,
                                           const surface::Surface& surface,
                                           const std::optional<smoke::Volume>& volume)
@@ -101,8 +102,8 @@ light::LightInputs light_inputs(const FrameContext& context, const PosedScene& s
 
 namespace {
 
-/// Spreads light below surfaces in a texture atlas that covers all surfaces and is lit with `to_light`.
-/// Returns the page's `light` with the spread light added.
+/// Computes how light spreads below surfaces, in a texture atlas that covers all surfaces. The atlas is lit
+/// with `to_light`. Returns the page's `light` with the spread light added.
 gpu::ImageId spread_in_map(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                            light::LightInputs to_light, gpu::ImageId light)
 {

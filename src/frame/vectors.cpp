@@ -22,7 +22,7 @@
 namespace estampe::frame {
 namespace {
 
-constexpr float hidden_share = 0.6F;     // width of a hidden line relative to the visible one
+constexpr float hidden_share = 0.6F;     // width of a hidden line relative to a visible line
 constexpr float least_ink_left = 0.125F; // strokes are dropped if haze leaves a smaller share of their width
 
 /// Reads the contents of `from` back into `to`.
@@ -42,7 +42,7 @@ StrokeKind kind_of_line(uint32_t kind)
     return kinds.at(kind);
 }
 
-/// Collects strokes, and numbers objects and inks in order of appearance.
+/// Collects strokes. Objects and inks get numbers in the order in which they first appear.
 class Gathering {
 public:
     Gathering(const DrawnScene& drawn, const features::StyleTables& style)
@@ -56,7 +56,8 @@ public:
         drawing_.has_paper = style.paper.transparent == paper::Transparency::none;
         drawing_.has_mitred_corners = style.contour.joints == contour::Joints::mitre;
         if (style.contour.hidden.enabled) {
-            // A picture's dashes include their round ends, but on paths round ends are added to the dash.
+            // The length of a dash in a picture includes its round ends; in a path it does not, so the dashes
+            // are shortened.
             const float ends_mm =
                 std::min(style.contour.hidden.width_mm, 0.9F * style.contour.hidden.dash_mm);
             drawing_.dash_mm = style.contour.hidden.dash_mm - ends_mm;
@@ -64,8 +65,8 @@ public:
         }
     }
 
-    /// Thins by haze all strokes that are added after this call. `of` is the component to read: 0 for
-    /// strokes, 1 for lines. An empty span thins nothing.
+    /// Makes all strokes thinner that are added after this call, because of haze. `of` is the component of
+    /// `ink_left` to read: 0 for hatching strokes, 1 for lines. An empty span leaves the widths unchanged.
     void thin_by(std::span<const glm::vec2> ink_left, int of)
     {
         ink_left_ = ink_left;
@@ -150,7 +151,7 @@ private:
         return ink_left_at(page_px) >= least_ink_left;
     }
 
-    /// Adds the stroke if it has at least two points, and clears its points.
+    /// Adds the stroke to the drawing if it has at least two points. Then clears the stroke's points.
     void add_line(VectorStroke& stroke)
     {
         if (stroke.points.size() > 1) {

@@ -22,16 +22,17 @@ struct StrokeLists {
     explicit StrokeLists(gpu::Device& on_device) : device(on_device) {}
 
     gpu::Device& device;
-    /// Sizes of the lines; this and the next five members are those of contour::LineLists.
+    /// Sizes of the lines. The members from `line_sizes` on have the same meaning as in contour::LineLists.
     gpu::Buffer line_sizes;
     gpu::Buffer line_samples;
     gpu::Buffer line_samples_before;
     gpu::Buffer line_strokes_before;
-    /// Points of the lines, one buffer for each time that lines are redrawn.
+    /// Points of the lines. If lines are drawn several times over each other, each time has a buffer of its
+    /// own.
     std::vector<gpu::Buffer> line_points;
     gpu::Buffer line_facing;
     gpu::Buffer crossings; ///< crossings of hatching strokes, as written by hatch::add_trace()
-    /// Share of ink that haze leaves, as written by haze::add_ink_left(); empty without haze.
+    /// Share of ink that is left after haze, as written by haze::add_ink_left(); empty if there is no haze.
     gpu::Buffer ink_left;
 };
 

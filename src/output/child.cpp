@@ -20,7 +20,8 @@
 namespace estampe::output {
 namespace {
 
-/// The start of one child process: its streams, and the settings of this program that it must not inherit.
+/// The start of one child process: its streams, and the settings of this program that the child must not
+/// inherit.
 class Start {
 public:
     Start(int input, int errors)
@@ -74,8 +75,8 @@ int file_without_name()
 
 Child::Child(const std::vector<std::string>& command, const std::string& to_install)
 {
-    // A socket instead of a pipe: a broken socket is reported as an error, while a broken pipe would raise a
-    // signal and end this program.
+    // The child's input is a socket, not a pipe. If the child ends, writing to a socket gives an error, while
+    // writing to a pipe would raise a signal that ends this program.
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
         throw Error(fmt::format("a program cannot be started: {}", std::strerror(errno)), command.front());

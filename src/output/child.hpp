@@ -10,9 +10,9 @@
 
 namespace estampe::output {
 
-/// A child process that reads data from this one. It does not receive the terminal's signals, so it can
-/// complete its output when this program is interrupted. Belongs to one thread. The destructor ends the
-/// process if it still runs.
+/// A child process that reads data from this program. It does not receive the terminal's signals, so it can
+/// complete its output when this program is interrupted. Only one thread may use a Child. The destructor ends
+/// the process if it is still running.
 class Child {
 public:
     /// Starts the process. Throws Error, with `to_install` as remedy, if the program is not installed.
@@ -24,7 +24,7 @@ public:
     /// Writes bytes to the process. Returns false if the process no longer reads.
     [[nodiscard]] bool write(std::span<const std::byte> bytes) const;
 
-    /// Closes the input of the process and waits for it. Returns whether it reports success.
+    /// Closes the input of the process and waits for it. Returns whether the process reports success.
     [[nodiscard]] bool finish();
 
     /// Returns the first lines of the process's stderr, after the process has finished.

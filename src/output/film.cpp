@@ -25,8 +25,8 @@ struct Codec {
     std::vector<std::string> with_alpha = {};
 };
 
-/// Returns the codec settings for a film's file extension. They leave out dates, program names and anything
-/// else that differs between runs.
+/// Returns the codec settings for a film's file extension. With these settings, files contain no dates,
+/// program names or other data that differ between runs.
 const Codec* codec_of(const std::filesystem::path& path)
 {
     static const std::string video_filter =
@@ -41,7 +41,7 @@ const Codec* codec_of(const std::filesystem::path& path)
     };
     static const std::vector<std::string> vp9{"-c:v",      "libvpx-vp9", "-b:v",      "0", "-crf",    "22",
                                               "-deadline", "good",       "-cpu-used", "4", "-row-mt", "1"};
-    // VP9 with a separate alpha stream does not allow hidden frames.
+    // The setting turns off VP9's hidden frames, which are not allowed with a separate alpha stream.
     std::vector<std::string> vp9_of_alpha = vp9;
     vp9_of_alpha.insert(vp9_of_alpha.end(), {"-auto-alt-ref", "0", "-metadata:s:v:0", "alpha_mode=1"});
     static const std::map<std::string, Codec> codecs{
@@ -83,7 +83,8 @@ std::vector<std::string> command_for(const Codec& codec, const std::filesystem::
     return command;
 }
 
-/// Returns the image with its last row or column doubled if the number of rows or columns is odd.
+/// Returns the image with even width and height. If the number of rows or columns is odd, the last one is
+/// doubled.
 Image with_even_sides(const Image& image)
 {
     Image even{.width = image.width + image.width % 2, .height = image.height + image.height % 2};

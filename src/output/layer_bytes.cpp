@@ -20,20 +20,21 @@ namespace {
 /// A colour whose components are integers, as in compositing programs.
 using Numbers = glm::ivec3;
 
-/// Composite of the layers so far at one pixel, as two kinds of programs compute it.
+/// Composite at one pixel of all layers processed so far. It is stored twice, as two kinds of programs
+/// compute it.
 struct Laid {
     Numbers rounded{0};    ///< Composite in a program that rounds to integers after every layer
     glm::dvec3 exact{0.0}; ///< Composite in a program that works in floats; in the same unit as `rounded`
 };
 
-/// The colour that the composite must have after the next layer.
+/// The colour that the composite must have after the next layer is added.
 struct Wanted {
     Numbers rounded{0};
     glm::dvec3 exact{0.0};
 };
 
-/// Finds the number nearest to `start` for which the increasing function `result` gives `wanted`, or comes as
-/// near as possible.
+/// Finds the number for which the increasing function `result` gives `wanted`, or comes nearest to `wanted`.
+/// The search begins at `start`.
 template <class Result>
 int tuned(int start, int wanted, int top, const Result& result)
 {
@@ -55,8 +56,8 @@ double least_alpha(double below, double wanted, double top)
     return below > wanted ? (below - wanted) / below : 0.0;
 }
 
-/// Alpha with which a layer of the pigment comes nearest to the wanted colour. If the pigment is too similar
-/// to the colour below, the layer's coverage of the pixel is used as alpha.
+/// Alpha with which a layer of one pigment (flat colour) comes nearest to the wanted colour. If the pigment
+/// is too similar to the colour below, the layer's coverage of the pixel is used as alpha.
 double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& pigment, double share, int top)
 {
     const glm::dvec3 way = laid.exact - pigment;
@@ -66,8 +67,8 @@ double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& p
 }
 
 /// Returns the colour and alpha of a layer of ink or paint that turns the composite `laid` into `wanted`.
-/// `paint` is its premultiplied colour and alpha in linear light. The paint's colour is kept if some alpha
-/// gives the wanted result, and changed otherwise. Updates `laid` to the composite.
+/// `paint` is the premultiplied colour and alpha of the ink or paint, in linear light. The paint's colour is
+/// kept if some alpha gives the wanted result, and changed otherwise. Updates `laid` to the composite.
 glm::ivec4 covering(Laid& laid, const Wanted& wanted, const glm::vec4& paint, const Arithmetic& in)
 {
     if (paint.w <= 0.0F) {
@@ -165,7 +166,7 @@ void check_opaque(const PictureLayer& bottom)
     }
 }
 
-/// Checks that there are layers and that all have one size. Throws Error as flattened() does.
+/// Checks that there are layers and that all layers have the same size. Throws Error as flattened() does.
 void check_layers(const LayeredImage& image)
 {
     if (image.layers.empty()) {
@@ -209,8 +210,8 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
     check_opaque(image.layers.front());
     const Arithmetic in(bits);
     LinearImage stage = image.layers.front().image;
-    // The paper layer is replaced by its flat colour: the paper on which the user puts the picture does not
-    // have this relief.
+    // In a transparent picture, the paper layer is replaced by a flat colour, because the user's own paper
+    // does not have the relief of this paper.
     if (image.paper) {
         std::ranges::fill(stage.pixels, glm::vec4(*image.paper, 1.0F));
     }
@@ -283,14 +284,14 @@ LinearImage on_white(const LayeredImage& image)
             .paper = std::nullopt};
 }
 
-/// Removes the white below a colour, which becomes transparent: chooses the smallest alpha that allows this.
+/// Removes the white on which a colour was composited. The result has the smallest alpha that allows this.
 glm::vec4 without_white(const glm::vec3& laid)
 {
     const float alpha = std::clamp(1.0F - std::min({laid.x, laid.y, laid.z}), 0.0F, 1.0F);
     return {glm::max(laid - (1.0F - alpha), 0.0F), alpha};
 }
 
-/// Replaces the white below a layer or mask by transparency, so that white becomes its paper colour.
+/// Replaces the white below a layer or mask by transparency, and sets the image's paper colour to white.
 void take_white_away(LinearImage& alone, const PictureLayer* layer)
 {
     for (size_t i = 0; i < alone.pixels.size(); ++i) {

@@ -60,9 +60,9 @@ private:
     int top_;
 };
 
-/// Returns the straight (not premultiplied) colour and alpha of a pixel of a transparent picture: composited
-/// onto its `paper`, the pixel gives the drawing to within half a step. `page` is premultiplied linear colour
-/// and alpha.
+/// Returns the straight (not premultiplied) colour and alpha of a pixel of a transparent picture. If the
+/// result is composited onto `paper`, it equals the drawing to within half a step. `page` is the pixel's
+/// premultiplied linear colour and alpha.
 [[nodiscard]] glm::ivec4 straight(const glm::vec4& page, const glm::vec3& paper, const Arithmetic& in);
 
 /// A layer of integers from 0 to the largest value of the bit depth: red, green, blue and alpha,
@@ -75,9 +75,9 @@ struct EncodedLayer {
 };
 
 /// Converts layers to integers that give the picture when composited in sRGB-encoded values by svg:src-over
-/// and svg:multiply. Each layer is computed against the rounded result of those below, so a program that
-/// works in bytes shows the exact picture. If several values do, the one that is best for programs that work
-/// in floats is used. Throws Error as check_whole() does, and if the bottom layer is not opaque.
+/// and svg:multiply. Each layer is computed from the rounded composite of the layers below, so that a program
+/// that works in bytes shows the exact picture. Among several possible values, the best value for programs
+/// that work in floats is used. Throws Error as check_whole() does, and if the bottom layer is not opaque.
 [[nodiscard]] std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits);
 
 /// Checks the layers and the picture. Throws Error as flattened() does, and if the picture and its layers
@@ -87,8 +87,8 @@ void check_whole(const LayeredImage& image);
 /// Composites a layer onto the picture `below` in linear light.
 void lay(LinearImage& below, const PictureLayer& layer);
 
-/// Returns the layer with this name on white, or white minus the mask with this name. Throws Error that lists
-/// the names if there is none, and as flattened() does.
+/// Returns the layer with this name on white, or white minus the mask with this name. If no layer or mask has
+/// the name, throws an Error that lists the names. Also throws Error as flattened() does.
 [[nodiscard]] LinearImage one_layer(const LayeredImage& image, const std::string& name);
 
 /// Encodes a linear image as sRGB bytes.

@@ -85,8 +85,8 @@ LayerFile layer_file(const LayeredImage& image, const EncodedLayer& layer, int b
     return file;
 }
 
-/// Makes a file name that is valid on any disk: ASCII letters and digits, other characters as dashes, limited
-/// in length.
+/// Makes a file name that is valid on any disk: keeps ASCII letters and digits, replaces other characters by
+/// dashes, and limits the length.
 std::string plain_name(const std::string& name)
 {
     constexpr size_t longest = 60;

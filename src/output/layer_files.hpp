@@ -13,8 +13,8 @@
 
 namespace estampe::output {
 
-/// Encodes the files of save_openraster() and save_layers_exr(). Both functions throw the same Errors as
-/// those, but without a file name.
+/// Encode the files of save_openraster() and save_layers_exr(). The Errors are those of these two functions,
+/// but without a file name.
 [[nodiscard]] std::vector<std::byte> encode_openraster(const LayeredImage& image);
 [[nodiscard]] std::vector<std::byte> encode_layers_exr(const LayeredImage& image, ExrNumbers numbers);
 
@@ -34,8 +34,8 @@ struct LayerFile {
     std::vector<std::byte> png;
 };
 
-/// Encodes all layers and masks from bottom to top, with `bits` per channel for layers. Masks have one flat
-/// colour, a different one for each object and black for the shadow, and their coverage as alpha.
+/// Encodes all layers and masks from bottom to top. `bits` is the number of bits per channel of layers. A
+/// mask has its coverage as alpha and one flat colour: black for the shadow, another colour for each object.
 [[nodiscard]] std::vector<LayerFile> layer_files(const LayeredImage& image, int bits);
 
 /// Writes the content of layers.json: everything about the layers except their pixels.

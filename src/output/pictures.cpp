@@ -43,8 +43,8 @@ std::vector<std::byte> make_srgb_profile()
     if (bytes.empty() || cmsSaveProfileToMem(profile.get(), bytes.data(), &size) == 0) {
         throw Error("cannot make a colour profile");
     }
-    // Sets the date in the profile to 1 January 2000. The library would store today's date, and the same
-    // picture would have other bytes tomorrow.
+    // Sets the date in the profile to 1 January 2000. Otherwise the library stores the current date, and the
+    // same picture would not always have the same bytes.
     constexpr size_t date_place = 24;
     constexpr std::array<uint8_t, 12> date{0x07, 0xD0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0};
     std::ranges::transform(date, bytes.begin() + date_place, [](uint8_t byte) { return std::byte(byte); });
@@ -106,7 +106,7 @@ bool write(JpegWriter& writer, const Image& image, int quality, uint32_t dots_pe
     jpeg.dct_method = JDCT_ISLOW;
     jpeg.optimize_coding = TRUE;
     // Stores chroma at full resolution: coloured ink lines are thin, and chroma at half the resolution would
-    // bleed out of them.
+    // spread beyond the lines.
     jpeg.comp_info[0].h_samp_factor = 1;
     jpeg.comp_info[0].v_samp_factor = 1;
     if (dots_per_m > 0) {
@@ -129,7 +129,7 @@ bool write(JpegWriter& writer, const Image& image, int quality, uint32_t dots_pe
 
 std::vector<std::byte> encode_jpeg(const Image& image, int quality, uint32_t dots_per_m)
 {
-    // libjpeg's limit of a side; the limit of the format is 65535.
+    // Longest side of a picture in libjpeg; the JPEG format itself allows 65535.
     constexpr uint32_t longest_side = JPEG_MAX_DIMENSION;
     if (image.empty() || image.rgba.size() != uint64_t{image.width} * image.height * 4) {
         throw Error("an empty image cannot be written");
@@ -172,7 +172,7 @@ WebPConfig config_of(std::optional<int> quality)
     bool is_valid = false;
     if (quality) {
         is_valid = WebPConfigPreset(&config, WEBP_PRESET_DRAWING, static_cast<float>(*quality)) != 0;
-        config.use_sharp_yuv = 1; // Better downsampling of chroma, so that thin lines keep their colour
+        config.use_sharp_yuv = 1; // Scales chroma down more exactly, so that thin lines keep their colour
     } else {
         constexpr int quick = 3;
         is_valid = WebPConfigInit(&config) != 0 && WebPConfigLosslessPreset(&config, quick) != 0;

@@ -13,9 +13,10 @@
 namespace estampe::output {
 namespace {
 
-// Cosine of the largest angle between two parallel strokes, 6 degrees.
+// Two strokes are parallel if the cosine of the angle between them is at least this; the angle is at most 6
+// degrees.
 constexpr float parallel_cosine = 0.995F;
-// Least length of an overlap; shorter overlaps are crossings at a low angle, which stay.
+// Smallest length of an overlap that is removed. Shorter overlaps are crossings at a small angle, which stay.
 constexpr float least_overlap_mm = 1.0F;
 constexpr float cell_mm = 1.0F;
 constexpr float sample_mm = 0.25F;
@@ -120,7 +121,8 @@ float length_mm(const VectorStroke& stroke, size_t first, size_t last)
     return sum;
 }
 
-/// Marks covered runs as kept if they are too short to be a double line, unless they are the whole stroke.
+/// Keeps covered parts of a stroke that are too short to be seen as a double line, unless the part is the
+/// whole stroke.
 void keep_short_runs(const VectorStroke& stroke, std::vector<bool>& is_kept)
 {
     const auto end = is_kept.end();
@@ -136,7 +138,8 @@ void keep_short_runs(const VectorStroke& stroke, std::vector<bool>& is_kept)
     }
 }
 
-/// Returns the parts of `stroke` whose points are kept, as separate strokes; single points are dropped.
+/// Returns the parts of `stroke` whose points are kept, as separate strokes; parts of a single point are
+/// dropped.
 std::vector<VectorStroke> kept_stretches(const VectorStroke& stroke, const std::vector<bool>& is_kept)
 {
     std::vector<VectorStroke> kept;
@@ -263,8 +266,8 @@ public:
         float least = std::numeric_limits<float>::max();
         const int rings = std::max(size_.x, size_.y);
         for (int ring = 0; ring <= rings; ++ring) {
-            // Stops the search: a ring of cells is at least this far from any place within the middle cell,
-            // so farther rings hold no nearer end.
+            // Stops the search if farther rings of cells cannot contain a nearer end. A ring of cells is at
+            // least this far from any place in the middle cell.
             if (best && static_cast<float>(ring - 1) * cell_mm_ > least) {
                 break;
             }
@@ -345,7 +348,7 @@ void turn(std::vector<PenStep>& order, size_t first, size_t last)
     }
 }
 
-/// Travel that is saved by reversing the steps from `first` to `last`.
+/// Length of pen travel that is saved if the steps from `first` to `last` are reversed.
 double saving(std::span<const PenStroke> strokes, std::span<const PenStep> order, size_t first, size_t last,
               const glm::vec2& origin)
 {
@@ -376,7 +379,7 @@ double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> or
 std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
                                     uint64_t turn_budget)
 {
-    constexpr size_t farthest = 1500; // Longest part of the order that is reversed, in strokes
+    constexpr size_t farthest = 1500; // Largest number of consecutive strokes that one step of 2-opt reverses
     constexpr double least_saving_mm = 1e-4;
     std::vector<PenStep> order;
     if (strokes.empty()) {
@@ -411,7 +414,7 @@ std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const gl
 namespace estampe {
 namespace {
 
-constexpr uint64_t turn_budget = 200'000'000; // Number of comparisons that take about one second
+constexpr uint64_t turn_budget = 200'000'000; // Number of comparisons in 2-opt; they take about one second
 
 std::vector<output::PenStroke> pen_strokes(const std::vector<VectorStroke>& strokes)
 {

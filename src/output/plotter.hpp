@@ -14,9 +14,9 @@
 
 namespace estampe::output {
 
-/// Removes strokes and parts of strokes that run along an earlier stroke of the same ink: within a third of
-/// their width and in the same direction. A stroke may be split. Crossing strokes stay complete. Cost:
-/// linear in points.
+/// Removes strokes and parts of strokes that repeat an earlier stroke of the same ink. A part repeats a
+/// stroke if it runs in the same direction at a distance of less than a third of its width. A stroke may be
+/// split. Crossing strokes stay complete. Cost: linear in points.
 void remove_overlaps(VectorDrawing& drawing);
 
 /// Cuts hidden strokes into dashes.
@@ -41,8 +41,8 @@ struct PenStep {
 [[nodiscard]] double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> order,
                                const glm::vec2& origin);
 
-/// Orders all strokes: always the nearest end first, then 2-opt: parts of the order are reversed while that
-/// shortens the travel, for at most `turn_budget` comparisons.
+/// Orders all strokes for a short pen travel. First, the stroke with the nearest end always comes next. Then
+/// 2-opt reverses parts of the order while this shortens the travel, with at most `turn_budget` comparisons.
 [[nodiscard]] std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
                                                   uint64_t turn_budget);
 

@@ -12,7 +12,7 @@ namespace {
 
 using glm::dvec2;
 
-constexpr double corner_cosine = 0.643; // Cosine of the smallest turn that is a corner, 50 degrees
+constexpr double corner_cosine = 0.643; // Cosine of the smallest turn that counts as a corner, 50 degrees
 constexpr int most_improvements = 8;
 
 dvec2 unit(const dvec2& v)
@@ -84,8 +84,8 @@ Cubic nearest_cubic(std::span<const dvec2> points, std::span<const double> at, c
         reach_0 = (x0 * c11 - x1 * c01) / determinant;
         reach_1 = (c00 * x1 - c01 * x0) / determinant;
     }
-    // Limits the curve's handles: handles longer than the whole line would make the curve swing out between
-    // the points.
+    // Limits the curve's handles: handles longer than the whole line would move the curve far away from the
+    // points.
     const double longest = length_of(points);
     if (reach_0 < 1e-3 * chord || reach_1 < 1e-3 * chord || reach_0 > longest || reach_1 > longest) {
         reach_0 = chord / 3.0;
@@ -124,7 +124,8 @@ Worst worst_of(std::span<const dvec2> points, const Cubic& curve, std::span<cons
     return worst;
 }
 
-/// The points from `first` to `last` with the tangents at both ends, which point into the span.
+/// A part of a line: the points from `first` to `last`, and the tangents at both ends, which point towards
+/// the other end.
 struct Span {
     size_t first = 0;
     size_t last = 0;
@@ -137,7 +138,8 @@ dvec2 direction_at(std::span<const dvec2> points, size_t i)
     return unit(points[i + 1] - points[i - 1]);
 }
 
-/// Fits one cubic curve to the span, or sets `middle` to the point where the span must be divided.
+/// Fits one cubic curve to the points of `span`. If the curve deviates too much, sets `middle` to the point
+/// where the span must be divided.
 bool fit_span(std::span<const dvec2> points, const Span& span, double tolerance, Cubic& curve, size_t& middle)
 {
     const auto part = points.subspan(span.first, span.last - span.first + 1);
@@ -233,7 +235,7 @@ std::vector<Cubic> fit_curve(std::span<const dvec2> points, double tolerance, bo
 
 namespace {
 
-using Grid = glm::i64vec2; // A point in integer thousandths of a millimetre
+using Grid = glm::i64vec2; // A point on the page, in integer thousandths of a millimetre
 
 constexpr double steps_per_mm = 1000.0;
 
@@ -344,7 +346,7 @@ dvec2 direction_of(const dvec2& v)
     return length > 0.0 ? v / length : dvec2(1.0, 0.0);
 }
 
-/// Points along one side of a smooth part of a stroke, half the width from the centre line.
+/// Points along one side of a smooth part of a stroke, at half the stroke's width from the centre line.
 std::vector<dvec2> side_of(std::span<const dvec2> middle, std::span<const VectorPoint> points, double sign,
                            const dvec2* seam)
 {

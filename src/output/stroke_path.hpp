@@ -19,9 +19,10 @@ using Cubic = std::array<glm::dvec2, 4>;
 
 [[nodiscard]] glm::dvec2 point_on(const Cubic& curve, double t);
 
-/// Fits cubics, end to end, that stay within `tolerance` of `points`, from the first to the last. A turn of
-/// more than 50 degrees at one point stays a corner. Elsewhere the tangent is continuous, also across the
-/// seam of a closed line. Coincident points count once. Empty for fewer than two distinct points.
+/// Fits a chain of cubic curves to `points`, from the first to the last. The curves stay within `tolerance`
+/// of the points. A turn of more than 50 degrees at one point stays a corner. Elsewhere the tangent is
+/// continuous, also across the seam of a closed line. Coincident points count once. Empty for fewer than two
+/// distinct points.
 ///
 /// Cost    usually n log n in points
 /// Source  Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, 1990

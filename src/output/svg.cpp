@@ -139,11 +139,12 @@ std::string path_of(const VectorDrawing& drawing, const VectorStroke& stroke, fl
     return fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", output::area_path(stroke, tolerance_mm), ink);
 }
 
-/// Writes one SVG layer per kind of stroke, hidden lines below the visible ones; each layer has one group per
-/// object.
+/// Writes one SVG layer per kind of stroke, with layers of hidden lines below those of visible lines. Each
+/// layer has one group per object.
 std::string layers_by_kind(const VectorDrawing& drawing, float tolerance_mm)
 {
-    using Key = std::tuple<bool, StrokeKind, uint32_t>; // Key of a group of strokes: visible, kind, object
+    // A group of strokes: visible or hidden, kind of stroke, object.
+    using Key = std::tuple<bool, StrokeKind, uint32_t>;
     std::map<Key, std::vector<const VectorStroke*>> groups;
     for (const VectorStroke& stroke : drawing.strokes) {
         groups[{!stroke.is_hidden, stroke.kind, stroke.object}].push_back(&stroke);

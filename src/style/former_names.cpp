@@ -118,7 +118,8 @@ constexpr std::array former_keys{Pair{"cloth.rest_mm_s", "cloth.rest_mm_per_s"},
                                  Pair{"wash.air_distance_m", "haze.tint_distance_m"},
                                  Pair{"wind.speed_m_s", "wind.speed_m_per_s"}};
 
-/// Former keys whose values have another form today, sorted, each with advice on the new form.
+/// Former keys of parameters whose values are written differently today, sorted, each with advice on the new
+/// form.
 constexpr std::array changed_keys{
     Pair{"ink.zones",
          "name the object: put zone.blow_mm_per_s, zone.turn_deg_per_s, zone.give or zone.amount "
@@ -130,7 +131,8 @@ constexpr std::array changed_keys{
     Pair{"wind.direction_deg",
          "write wind.towards_deg = 90 - direction_deg, which counts from +z like all bearings"}};
 
-/// Names that other programs use for parameters, as the last word of the key, sorted.
+/// Words with which other programs name parameters, sorted. Each is compared with the last word of an unknown
+/// key.
 constexpr std::array foreign_words{Pair{"alpha", "paper.transparent"},
                                    Pair{"ambient_occlusion", "occlusion.enabled"},
                                    Pair{"ao", "occlusion.enabled"},

@@ -39,8 +39,7 @@ std::string range_column(const Parameter& parameter)
     }
 }
 
-/// Returns whether TOML writes this choice without quotes, as it does for true and false of an automatic
-/// switch.
+/// Returns whether TOML writes this choice without quotes, as the words true and false.
 bool is_switch(const std::string& choice)
 {
     return choice == "true" || choice == "false";
@@ -58,7 +57,8 @@ std::string default_column(const Parameter& parameter)
     return bare(format_value(parameter.default_value));
 }
 
-/// Converts a float to the decimal that a person wrote, such as 0.1, not to the double nearest to the float.
+/// Converts a float to the short decimal number that a person wrote, such as 0.1, instead of its exact value
+/// in double precision.
 double decimal(float value)
 {
     return std::stod(fmt::format("{}", value));
@@ -132,8 +132,8 @@ std::string_view word_of(Surfaces::By by)
     return by == Surfaces::By::material ? "material" : "object";
 }
 
-/// Describes in the JSON schema the sections with parameters that may differ at least by `least`: by object,
-/// or by object and material.
+/// Describes overrides in the JSON schema: lists the sections with parameters that may differ by object, or
+/// by object and material. `least` selects one of the two.
 Json describe_overrides(std::span<const Section> sections, Overridable least)
 {
     Json properties = Json::object();
@@ -184,7 +184,8 @@ std::string AnySchema::write_any(const void* values) const
     const auto& overrides =
         overrides_ ? *static_cast<const std::vector<Override>*>(overrides_->in(values)) : none;
     std::string text;
-    // Overrides come before all sections, where dotted keys of any depth may come in any order.
+    // Overrides are written before all sections, because dotted keys must come before the first table of a
+    // TOML file.
     for (const Override& change : overrides) {
         text += fmt::format("{}.{}.{}.{} = {}\n", word_of(change.surfaces.by),
                             format_value(change.surfaces.pattern), change.section, change.key,

@@ -12,19 +12,20 @@
 
 namespace estampe::style {
 
-/// Edit distance between two words: how many letters to insert, delete, replace or swap with the next one to
-/// turn `a` into `b` (optimal string alignment).
+/// Edit distance between two words: the number of letters that must be inserted, deleted, replaced or swapped
+/// with the next letter to turn `a` into `b` (optimal string alignment).
 [[nodiscard]] size_t edit_distance(std::string_view a, std::string_view b);
 
-/// Returns the candidate nearest to `word`, the first one if several are equally near; empty when none is
-/// similar enough to be meant.
+/// Returns the candidate whose spelling is nearest to `word`; the first candidate if several are equally
+/// near. Empty if no candidate is similar enough.
 [[nodiscard]] std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
 /// Returns the present full key of a parameter, given its former key or another program's name for it
 /// ("line_width", with or without a section); empty when `key` is unknown.
 [[nodiscard]] std::string_view name_today(std::string_view key);
 
-/// Advises how to write a former key whose value has another form today; empty for other keys.
+/// Returns advice on how to write a former key whose values are written differently today; empty for other
+/// keys.
 [[nodiscard]] std::string_view advice_for(std::string_view key);
 
 /// All names that name_today() knows, each with its present key.

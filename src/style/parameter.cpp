@@ -204,8 +204,8 @@ public:
         return *text;
     }
 
-    /// Returns the value of a file parameter: a path, or one of the names if the parameter has names. With
-    /// names, a text with neither a dot nor a slash is treated as a name, not as a path.
+    /// Returns the value of a file parameter: a path, or one of the names if the parameter has names. If the
+    /// parameter has names, a text without a dot and without a slash is treated as a name, not as a path.
     [[nodiscard]] Value file() const
     {
         Value value = text();

@@ -31,11 +31,11 @@ namespace estampe::style {
 /// unknown name.
 [[nodiscard]] std::optional<glm::vec3> named_color(std::string_view name);
 
-/// Returns the CSS colour name nearest to `name`; empty when none is similar enough to be meant.
+/// Returns the CSS colour name nearest to `name`; empty if no name is similar enough.
 [[nodiscard]] std::string nearest_color_name(std::string_view name);
 
-/// Formats a linear colour as a TOML value: a quoted "#rrggbb" if that is exact, otherwise [r, g, b] in sRGB
-/// with enough digits to read back the same three floats.
+/// Formats a linear colour as a TOML value: a quoted "#rrggbb" if this gives exactly the same colour,
+/// otherwise [r, g, b] in sRGB with enough digits to read back the same three floats.
 [[nodiscard]] std::string format_color(const glm::vec3& linear);
 
 enum class Kind : uint8_t { number, integer, toggle, color, choice, text, file };
@@ -44,8 +44,8 @@ enum class Kind : uint8_t { number, integer, toggle, color, choice, text, file }
 /// material.
 enum class Overridable : uint8_t {
     nowhere,
-    by_object,  ///< may differ for single objects and lights
-    by_surface, ///< may differ for single objects and single materials
+    by_object,  ///< The parameter may differ for single objects and lights
+    by_surface, ///< The parameter may differ for single objects and single materials
 };
 
 /// A parameter's value without its C++ type. A colour is linear; a choice is stored as its name, a file as
@@ -66,7 +66,7 @@ struct IntegerRange {
 /// A switch that may depend on the scene. Style files write its values as true, false and "auto".
 enum class AutoToggle : uint8_t { automatic, on, off };
 
-/// Accesses the member `inner` of the member `outer` of a style struct, for the methods of Table:
+/// Accesses the member `inner` of the member `outer` of a style struct. Use it with the methods of Table:
 /// `.number("outline.width_mm", within(&ContourStyle::outline, &LineStyle::width_mm), ...)`.
 template <typename Style, typename Outer, typename Inner>
 [[nodiscard]] auto within(Outer Style::*outer, Inner Outer::*inner)
@@ -127,8 +127,8 @@ public:
 
     [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
 
-    /// Adds a number; texts may also give an integer. A value that is not finite or out of `range` is an
-    /// error.
+    /// Adds a parameter that is a number. Style files may also write an integer for it. A value that is not
+    /// finite or out of `range` is an error.
     template <typename Member>
     Table& number(std::string key, Member member, Range range, std::string unit, std::string help)
     {
@@ -138,7 +138,7 @@ public:
         return *this;
     }
 
-    /// Adds a whole number, for int and uint32_t members.
+    /// Adds a parameter that is a whole number, with an int or uint32_t member.
     template <typename Member>
     Table& integer(std::string key, Member member, IntegerRange range, std::string unit, std::string help)
     {
@@ -148,7 +148,7 @@ public:
         return *this;
     }
 
-    /// Adds a switch: true or false.
+    /// Adds a parameter that is a switch, with the values true and false.
     template <typename Member>
     Table& toggle(std::string key, Member member, std::string help)
     {
@@ -174,8 +174,8 @@ public:
         return *this;
     }
 
-    /// Adds a colour parameter that may be "auto". Its member has the type std::optional<glm::vec3>, and is
-    /// empty for "auto".
+    /// Adds a colour parameter that may be "auto". The member has the type std::optional<glm::vec3>, and is
+    /// empty if the value is "auto".
     template <typename Member>
     Table& color_or_auto(std::string key, Member member, std::string help)
     {
@@ -223,7 +223,8 @@ public:
         return *this;
     }
 
-    /// Adds a text parameter that the technique itself interprets.
+    /// Adds a parameter that is a text. The schema does not check the text; the code of the technique
+    /// interprets it.
     template <typename Member>
     Table& text(std::string key, Member member, std::string help)
     {
@@ -314,7 +315,7 @@ private:
     std::vector<Parameter> parameters_;
 };
 
-/// The surfaces to which a part of a style applies.
+/// The surfaces to which an override of a style applies.
 struct Surfaces {
     enum class By : uint8_t {
         all,      ///< all surfaces of the picture

@@ -310,7 +310,8 @@ private:
     const AnySchema& schema_;
     std::optional<Place> overrides_place_;
     Resolver resolver_;
-    /// Names of the style texts that are being read, outermost first, to detect cycles.
+    /// Names of the style texts that are being read, each extended by the one before it. The list is used to
+    /// detect cycles.
     std::vector<std::string> chain_;
     std::vector<Change> changes_;
     std::vector<Override> overrides_;
@@ -328,7 +329,8 @@ Entry named_entry(const AnySchema& schema, std::string_view name, const std::str
         size_t before = last == std::string_view::npos ? last : name.rfind('.', last - 1);
         const size_t earlier = before == std::string_view::npos ? before : name.rfind('.', before - 1);
         if (earlier != std::string_view::npos && schema.find(name.substr(earlier + 1)).parameter != nullptr) {
-            before = earlier; // the key is in a table of a section, such as "contour.outline.width_mm"
+            // The part before the key names a table of a section, such as "contour.outline.width_mm".
+            before = earlier;
         }
         if (name.starts_with(word) && before != std::string_view::npos && before > word.size()) {
             std::string_view pattern = name.substr(word.size(), before - word.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The schema of a style: all parameters, where texts are loaded from, and how values are read and written.
+// The schema of a style: the list of all parameters, and functions that find, read and write style texts.
 
 #include <cstddef>
 #include <functional>
@@ -37,12 +37,12 @@ struct Source {
     std::string text;
 };
 
-/// Finds the style text for the name of a preset or file. `from` is the Source::name of the text that refers
-/// to it, empty for the first text. Throws Error when there is no such text.
+/// Finds the style text for the name of a preset or file. `from` is the Source::name of the text that names
+/// it in `extends`; empty for the first text. Throws Error when there is no such text.
 using Resolver = std::function<Source(const std::string& name, const std::string& from)>;
 
 /// Finds a style text by name: a preset or addition of that name, otherwise a file, relative to the folder of
-/// the file that refers to it. Throws Error listing the presets and additions when neither exists.
+/// the file that names it. Throws Error listing the presets and additions when neither exists.
 [[nodiscard]] Source resolve(const std::string& preset_or_file, const std::string& from);
 
 /// The place of a member in a schema's values, stored as an offset because the type of the values is unknown
@@ -90,8 +90,8 @@ public:
     /// parameters.
     [[nodiscard]] Found find(std::string_view key) const;
 
-    /// Returns whether a style has a section or a table in a section with that name: "contour",
-    /// "contour.outline". Cost: logarithmic in the number of parameters.
+    /// Returns whether a style has a section with that name, such as "contour", or a table in a section, such
+    /// as "contour.outline". Cost: logarithmic in the number of parameters.
     [[nodiscard]] bool has_table(std::string_view name) const;
 
 protected:
@@ -106,7 +106,7 @@ protected:
 
 private:
     std::vector<Section> sections_;
-    /// Numbers of the section and the parameter for each full key.
+    /// For each full key: the index of its section, and the index of the parameter in the section.
     std::map<std::string, std::pair<size_t, size_t>, std::less<>> index_;
 };
 
@@ -156,7 +156,7 @@ public:
         read_any(&values, resolver(preset_or_file, {}), resolver);
     }
 
-    /// Reads a style from a TOML text. Error messages name the text `where`.
+    /// Reads a style from a TOML text. In error messages, `where` is the name of the text.
     void read_text(Values& values, std::string_view text, const std::string& where,
                    const Resolver& resolver = resolve) const
     {

@@ -18,7 +18,7 @@
 namespace estampe::style {
 namespace {
 
-/// A form of UTF-8 characters with the same length: lead bytes `first` to `last`, code points `least` to
+/// The form of all UTF-8 characters of one length: lead bytes `first` to `last`, code points `least` to
 /// `most`.
 struct Form {
     uint8_t first, last;
@@ -30,7 +30,8 @@ constexpr std::array<Form, 4> forms{{{0x00, 0x7F, 0x0, 0x7F},
                                      {0xE0, 0xEF, 0x800, 0xFFFF},
                                      {0xF0, 0xF4, 0x10000, 0x10FFFF}}};
 
-/// Returns the length in bytes of the UTF-8 character at the start of `text`; 0 when there is no valid one.
+/// Returns the length in bytes of the UTF-8 character at the start of `text`; 0 if no valid character is
+/// there.
 size_t character_length(std::string_view text)
 {
     constexpr uint32_t surrogates_begin = 0xD800;
@@ -67,7 +68,8 @@ struct ScanStop {
 /// quotes. An unterminated string ends with its line, or a multi-line one with the text.
 ScanStop end_of_string(std::string_view text, size_t at)
 {
-    constexpr size_t most_closing = 5; // the last three close the string, those before belong to it
+    // The last three quotes close the string; quotes before these belong to the string.
+    constexpr size_t most_closing = 5;
     const char quote = text[at];
     const std::string three(3, quote);
     const bool has_lines = text.substr(at).starts_with(three);
@@ -106,9 +108,9 @@ size_t first_not_utf8(std::string_view text)
     return at;
 }
 
-/// Finds the first non-ASCII character that toml++ cannot read, or the end of `text`: one outside strings
-/// and comments, where TOML allows none, or one at the beginning of a joined line of a string, where
-/// toml++ 3.3 has undefined behaviour. A byte order mark at the beginning is skipped.
+/// Finds the first non-ASCII character that toml++ cannot read, or the end of `text`. Such a character is
+/// outside strings and comments, where TOML allows none, or at the beginning of a joined line of a string,
+/// where toml++ 3.3 has undefined behaviour. A byte order mark at the beginning is skipped.
 ScanStop first_bare_beyond_ascii(std::string_view text)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -130,7 +132,8 @@ ScanStop first_bare_beyond_ascii(std::string_view text)
     return {at};
 }
 
-/// Thrown when an assertion in toml++ fails: toml++ takes `[=` for a table header and finds no name in it.
+/// Thrown when an assertion in toml++ fails. This happens for `[=`, which toml++ reads as a table header
+/// without a name.
 struct ParserLost : std::exception {};
 
 [[noreturn]] void lose_parser()
@@ -169,8 +172,8 @@ std::string place_of_byte(const std::string& name, std::string_view text, size_t
     return place(name, position);
 }
 
-/// Rejects characters that toml++ handles wrongly: it uses code points as table indices without a check for
-/// invalid UTF-8, and assumes that non-ASCII characters only occur in strings and comments.
+/// Rejects characters that toml++ handles wrongly. toml++ uses code points as table indices without checking
+/// for invalid UTF-8, and assumes that non-ASCII characters only occur in strings and comments.
 void check_characters(std::string_view text, const std::string& name)
 {
     if (const size_t at = first_not_utf8(text); at < text.size()) {
@@ -189,8 +192,7 @@ void check_characters(std::string_view text, const std::string& name)
     }
 }
 
-/// Returns the numbers of a TOML array, which is a colour; nothing if the array has anything else, which no
-/// parameter allows.
+/// Returns the numbers of a TOML array, which is a colour; nothing if an element is not a number.
 std::optional<std::vector<double>> numbers(const toml::array& array)
 {
     std::vector<double> result;

@@ -17,7 +17,7 @@ namespace estampe::style {
 /// A value as read from a style text, before it is checked against its parameter.
 struct Raw {
     std::variant<std::monostate, bool, int64_t, double, std::string, std::vector<double>> value;
-    std::string shown; ///< the value as messages show it: `0.5`, `"uv"`, `a table`
+    std::string shown; ///< the value as error messages show it: `0.5`, `"uv"`, `a table`
 };
 
 /// One key of a style text with its value. `section` is empty for a value outside any section.
@@ -46,10 +46,10 @@ struct Document {
 /// sections. Throws Error with name:line:column when the text is not TOML, or has a key twice.
 [[nodiscard]] Document parse_toml(std::string_view text, const std::string& name);
 
-/// Parses `text` as a TOML value; returns none when it is not one.
+/// Parses `text` as a TOML value; returns nothing if `text` is not a value.
 [[nodiscard]] std::optional<Raw> parse_toml_value(std::string_view text);
 
-/// Makes a value of a word without quotes, which --set accepts for names and colours.
+/// Makes a value from a word without quotes. The option --set accepts such words for names and colours.
 [[nodiscard]] Raw raw_word(std::string_view text);
 
 /// Converts the value `raw` to a value of `parameter`, which messages call `name`. Throws Error when the type
@@ -84,7 +84,7 @@ struct WordTable {
 };
 
 /// Reads the tables of a TOML text, `[name]` and `[[name]]`, in the order of the text. Throws Error with
-/// name:line:column when the text is not TOML, and when it has a table or value of another form.
+/// name:line:column when the text is not TOML, and if it has tables or values that are not words.
 [[nodiscard]] std::vector<WordTable> parse_toml_words(std::string_view text, const std::string& name);
 
 } // namespace estampe::style

@@ -9,7 +9,8 @@
 
 namespace estampe::wind {
 
-/// Source of the wind. automatic: the terrain, or the style if there is no terrain.
+/// Source of the wind: the terrain, the style, or the air of the smoke. `automatic` means the terrain, or the
+/// style if there is no terrain.
 enum class WindSource : uint8_t { automatic, style, smoke };
 
 /// Parameters of the section [wind] of a style: the wind of the scene.
@@ -28,7 +29,7 @@ struct WindStyle {
 
 [[nodiscard]] const style::Table<WindStyle>& wind_table();
 
-/// The mean wind, as it is copied to the parts of a style that have no keys for wind.
+/// The mean wind. It is copied to those sections of a style that have no wind of their own.
 struct Wind {
     float speed_m_per_s = WindStyle().speed_m_per_s;
     /// Direction towards which the wind blows, in degrees: 0 is +z, 90 is +x.
