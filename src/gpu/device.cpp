@@ -200,8 +200,8 @@ namespace {
 /// for a thread that fails to start. Cost: about 1 ms.
 void require_driver_threads()
 {
-    // The driver starts one thread per core for triangles, one per core for compute, and a few threads that
-    // only wait.
+    // The driver starts one thread per core for triangles, one thread per core for compute shaders, and a few
+    // threads that only wait.
     constexpr unsigned most_cores_used = 16;
     constexpr unsigned waiting = 4;
     const unsigned count = 2 * std::clamp(std::thread::hardware_concurrency(), 1U, most_cores_used) + waiting;

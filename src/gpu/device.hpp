@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lists the physical Vulkan devices with the features that each lacks, and opens one device.
+// Lists the physical Vulkan devices with the features that each device lacks, and opens one device.
 
 #include <memory>
 #include <string>
@@ -86,8 +86,8 @@ struct Candidate {
     bool discrete = false;
 };
 
-/// Selects a device by "auto" (discrete GPU, else another GPU, else CPU), "cpu" or an index. Throws an Error
-/// that lists the devices if none matches.
+/// Selects a device by "auto" (discrete GPU, else another GPU, else CPU), "cpu" or an index. If no device
+/// matches, throws an Error that lists the devices.
 [[nodiscard]] const Candidate& choose(const std::vector<Candidate>& candidates, const std::string& choice);
 
 /// The linked chain (pNext) of Vulkan feature structures, for querying or enabling features of a device.

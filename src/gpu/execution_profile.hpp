@@ -8,10 +8,10 @@
 
 namespace estampe::gpu {
 
-/// A GPU runs thousands of threads in parallel, and the threads of a workgroup in lockstep. A processor
-/// (lavapipe) runs a few workgroups in parallel, and the threads of a workgroup one after another; each
-/// barrier in a shader costs one more loop over these threads. Each member function is one choice that
-/// depends on this difference. Device::execution() returns the profile.
+/// A GPU runs thousands of threads in parallel, and the threads of a workgroup in lockstep. A CPU (the
+/// software driver lavapipe) runs a few workgroups in parallel, and the threads of a workgroup one after
+/// another; each barrier in a shader makes the CPU loop over these threads once more. Each member function is
+/// one choice that depends on this difference. Device::execution() returns the profile.
 struct ExecutionProfile {
     bool is_processor = false;
 
@@ -25,15 +25,14 @@ struct ExecutionProfile {
     /// every pixel.
     [[nodiscard]] bool lists_tiles() const { return is_processor; }
 
-    /// Whether a pixel stops reading its neighbours as soon as possible, instead of loading all candidates at
-    /// once.
+    /// Whether a pixel stops reading its neighbours as soon as possible, or loads all of them at once.
     [[nodiscard]] bool looks_only_where_needed() const { return is_processor; }
 
     /// Whether images are cleared by a transfer command instead of a compute dispatch.
     [[nodiscard]] bool clears_by_transfer() const { return is_processor; }
 
-    /// Whether height fields are processed row by row, which needs the least work. Otherwise they are
-    /// searched in mip pyramids, which occupy many threads.
+    /// Whether height fields are processed row by row, which needs the least work. If not, height fields are
+    /// searched in mip pyramids (coarser copies of the field), which occupy many threads.
     [[nodiscard]] bool sweeps() const { return is_processor; }
 
     /// Number of items per workgroup of 64 threads, for passes with a short test per item.

@@ -61,7 +61,7 @@ private:
         void* mapped = nullptr;
         uint32_t memory_type = 0;
         bool for_images = false;
-        std::vector<Range> free_ranges; ///< Sorted by offset; no two are adjacent
+        std::vector<Range> free_ranges; ///< Unused ranges of the block, sorted by offset; no two are adjacent
     };
 
     [[nodiscard]] uint32_t pick_type(uint32_t allowed_types, MemoryUse use) const;

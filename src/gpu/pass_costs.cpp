@@ -318,7 +318,8 @@ private:
         return counts ? components(instruction.at(0)) : 0;
     }
 
-    /// Returns the labels that a block can branch to; only the taken label if the branch condition is known.
+    /// Returns the labels that a block can branch to; if the branch condition is known, returns only the
+    /// label that is taken.
     [[nodiscard]] std::vector<uint32_t> targets(const Instruction& end) const
     {
         if (end.op == code::branch) {

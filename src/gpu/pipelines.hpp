@@ -59,16 +59,17 @@ private:
 
     VkDevice device_;
     VkPipelineCache cache_ = VK_NULL_HANDLE;
-    std::filesystem::path file_; ///< Empty: pipelines are not cached on disk
+    std::filesystem::path file_; ///< Path of the cache file; empty: pipelines are not cached on disk
     size_t size_read_ = 0;
 };
 
 /// Shaders and fixed-function state of a graphics pipeline.
 struct DrawState {
     const Shader* vertex = nullptr;
-    const Shader* fragment = nullptr; ///< May be null
+    const Shader* fragment = nullptr; ///< Fragment shader; may be null
     std::span<const VkFormat> color_formats = {};
-    VkFormat depth_format = VK_FORMAT_UNDEFINED; ///< VK_FORMAT_UNDEFINED: no depth test
+    /// Format of the depth attachment; VK_FORMAT_UNDEFINED: no depth test.
+    VkFormat depth_format = VK_FORMAT_UNDEFINED;
     bool cull_back_faces = false;
 };
 

@@ -100,14 +100,14 @@ private:
     bool is_array_ = false;
 };
 
-/// Imports all of `buffer`, which must outlive the run of `graph`.
+/// Imports the whole of `buffer`, which must outlive the run of `graph`.
 [[nodiscard]] inline BufferId import_whole(Graph& graph, std::string_view name, Buffer& buffer)
 {
     return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
 }
 
-/// Imports all of `image`, which must be in the layout that upload_layers() leaves and must outlive the run
-/// of `graph`.
+/// Imports the whole of `image`. The image must be in the layout that upload_layers() leaves, and must
+/// outlive the run of `graph`.
 [[nodiscard]] inline ImageId import_uploaded(Graph& graph, std::string_view name, Image& image)
 {
     return graph.import_image(name, image, image.desc(), Layout::shader_read);
@@ -170,7 +170,7 @@ struct StageAccess {
 /// Returns Vulkan's pipeline stage and access mask for `access`.
 [[nodiscard]] StageAccess stage_access(Access access);
 
-/// Returns the union of the pipeline stages and access masks for a set of accesses; none for the empty set.
+/// Returns the union of the pipeline stages and access masks for a set of accesses; zero for the empty set.
 [[nodiscard]] StageAccess stage_access(AccessSet accesses);
 
 [[nodiscard]] VkImageLayout vulkan_layout(Layout layout);

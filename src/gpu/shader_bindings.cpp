@@ -48,7 +48,7 @@ using Operands = std::span<const uint32_t>;
 
 struct Type {
     Op op = op_type_struct;
-    Operands operands; ///< Operands from the result id on
+    Operands operands; ///< Operands of the instruction, beginning with the result id
 };
 
 /// The parts of a SPIR-V module that describe its bindings.
@@ -262,7 +262,7 @@ std::map<uint32_t, Binding> bindings_of(const Shader& shader)
     return bindings;
 }
 
-/// Returns the binding that a pass fills by this use of `resource`.
+/// Returns the binding that a pass sets when it uses `resource` in this way.
 Binding binding_of(const Use& use, const ResourceRecord& resource)
 {
     if (resource.is_image) {
@@ -340,7 +340,7 @@ namespace {
 
 struct Replacement {
     Shader shader;
-    bool is_checked = false; ///< Its bindings were checked against the original shader
+    bool is_checked = false; ///< The bindings of the replacement were checked against the original shader
 };
 
 struct Replacements {

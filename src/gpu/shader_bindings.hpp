@@ -20,7 +20,7 @@ enum class BindingKind : uint8_t {
     texel_buffer,
     sampled_image,
     storage_image,
-    other, ///< A binding that no pass can fill
+    other, ///< A kind of binding that no pass can set
 };
 
 /// Number type that the shader declares for texels.
@@ -29,8 +29,9 @@ enum class TexelKind : uint8_t { none, real, signed_whole, unsigned_whole };
 /// One descriptor binding, as a shader declares it or as a pass fills it.
 struct Binding {
     BindingKind kind = BindingKind::other;
-    TexelKind texel = TexelKind::none; ///< Set only for texel buffers and sampled images
-    uint32_t image_format = 0;         ///< SPIR-V's format number; set only for storage images
+    /// Number type of the texels; only for texel buffers and sampled images.
+    TexelKind texel = TexelKind::none;
+    uint32_t image_format = 0; ///< SPIR-V's number of the format; only for storage images
     uint32_t set = 0;
     uint32_t count = 1; ///< Number of array elements; 0 for a runtime-sized array
     bool operator==(const Binding&) const = default;

@@ -12,8 +12,8 @@
 namespace estampe::gpu {
 namespace {
 
-/// Adds a new buffer of zeros; if `zeros_from` is not 0, the buffer starts with `words`, and the zeros start
-/// at `zeros_from`. A GPU runs these two commands one at a time.
+/// Adds a new buffer of zeros. If `zeros_from` is not 0, the buffer begins with `words`, and the zeros begin
+/// at `zeros_from`. A GPU runs the two commands for this one after the other.
 BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, const glm::uvec4& words,
                    uint64_t zeros_from)
 {

@@ -68,8 +68,8 @@ template <class T>
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
 }
 
-/// Copies `pixels`, four bytes per pixel, into an image of the host application. The graph does not know the
-/// host's image, so this pass changes the image's layout itself.
+/// Copies `pixels`, four bytes per pixel, into an image of the host application. The image is not a resource
+/// of the graph, so this pass changes the image's layout itself.
 void add_hand_over(Graph& graph, BufferId pixels, const VulkanPicture& picture, glm::uvec2 size_px);
 
 } // namespace estampe::gpu

@@ -23,7 +23,7 @@ struct ClothInputs {
     pose::MeshBuffers& meshes; ///< Vertex and triangle buffers of `layout`
     const std::optional<pose::PoseData>& posed; ///< Pose of the scene that the device holds
     /// Poses the scene at a time. Afterwards `posed` holds that pose, and add_posed() declares the passes
-    /// that the device still needs.
+    /// that compute it on the device.
     std::function<ScenePose(double time_s)> pose_at;
     std::function<gpu::BufferId(gpu::Graph&)> add_posed;
     const RenderSettings& settings;
@@ -31,7 +31,7 @@ struct ClothInputs {
     std::optional<double> before_s; ///< Earlier time from which the picture's motion is measured
 };
 
-/// Side effects of ClothSimulation::advance().
+/// Effects of ClothSimulation::advance() on the scene.
 struct ClothAdvance {
     bool posed_scene = false; ///< The scene was posed at other times than the picture's time
     bool tore = false;        ///< The set of torn triangles has changed
@@ -46,8 +46,8 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Builds the cloth sheets of a new layout. Sheets that existed before continue from their state. Throws
-    /// Error if a sheet cannot be built.
+    /// Makes the cloth sheets of a new layout. Sheets that existed before keep their state. Throws Error if a
+    /// sheet cannot be made.
     void cut(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
 
     /// Returns the cloth sheets; null if the scene has no cloth.
@@ -56,23 +56,23 @@ public:
     /// Returns the draw calls that are cloth sheets.
     [[nodiscard]] std::span<const uint32_t> draws() const;
 
-    /// Returns whether the device must still pose the vertices of the cloth sheets.
+    /// Returns whether the vertices of the cloth sheets on the device are out of date.
     [[nodiscard]] bool has_moved() const { return sheets_ && sheets_->has_moved; }
 
     /// Simulates the cloth up to the picture's time, except for the last steps, which record() puts into the
     /// picture's own graph, parallel to independent passes. Removes torn triangles of sheets and restores
-    /// triangles that are not torn. Cost: the steps. If sheets may tear, also a read-back of their torn
-    /// links, and an upload of all triangles whenever the set of torn triangles changes.
+    /// triangles that are no longer torn. Cost: the simulation steps. If sheets may tear, torn links are also
+    /// read back, and all triangles are uploaded whenever the set of torn triangles changes.
     [[nodiscard]] ClothAdvance advance(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in);
 
-    /// Places the solids with which cloth sheets collide, if steps remain for the picture's graph. Returns
-    /// the boxes that the sheets occupied since the last call (relative to the scene's anchor). Call this
-    /// function only after the scene is posed for the picture.
+    /// Places the solids with which cloth sheets collide, if simulation steps remain for the picture's graph.
+    /// Returns the boxes that the sheets occupied since the last call (relative to the scene's anchor). Call
+    /// this function only after the scene is posed for the picture.
     [[nodiscard]] std::vector<Bounds> place(gpu::Device& device, const ClothInputs& in,
                                             const ScenePose& pose);
 
     /// Declares the remaining steps of the cloth, and writes the sheets' vertices into `posed`. The state of
-    /// the sheets is invalid until that graph has run and drawn() is called.
+    /// the sheets is invalid until the graph has run and drawn() is called.
     void record(gpu::Graph& graph, const pose::PoseData& pose, const glm::dvec3& anchor,
                 gpu::BufferId& posed_vertices, gpu::BufferId& vertices_before);
     void drawn();
@@ -86,8 +86,9 @@ private:
     void step(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in, const ClothSteps& steps);
 
     std::unique_ptr<MovingCloth> sheets_;
-    std::optional<glm::dvec3> cut_about_;  ///< Anchor of the layout from which the cloth sheets were built
-    std::optional<ClothSteps> steps_left_; ///< Simulation steps that the picture's first graph runs
+    /// Anchor (origin of positions) of the layout from which the cloth sheets were built.
+    std::optional<glm::dvec3> cut_about_;
+    std::optional<ClothSteps> steps_left_; ///< Simulation steps that run in the picture's first graph
 };
 
 } // namespace estampe::features

@@ -14,7 +14,7 @@
 namespace estampe::features {
 namespace {
 
-constexpr size_t least_vertices = 8; // A bone with fewer vertices gets no capsule
+constexpr size_t least_vertices = 8; // A bone that moves fewer vertices gets no capsule
 
 /// A bone in the bind pose of its skin.
 struct BoundBone {
@@ -116,7 +116,7 @@ cloth::Solid placed_bone(const BoneCapsule& bone, const ScenePose& pose, const g
 
 namespace {
 
-constexpr uint32_t most_nodes = 192; // Texels of a body's depth maps along their longest side
+constexpr uint32_t most_nodes = 192; // Number of texels of a body's depth maps along their longest side
 
 /// Returns the topmost joint of a skin's hierarchy.
 Index root_of(const Scene& scene, const Skin& skin)
@@ -157,7 +157,7 @@ std::vector<double> areas_of(const Primitive& primitive)
     return areas_m2;
 }
 
-/// Appends the bounds and the area of the vertices that each joint of a draw call's skin moves.
+/// Appends the bounds and the area of the vertices that each joint of a skin moves.
 void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBody::Part>& parts)
 {
     std::map<uint32_t, SeenBody::Part> of_joint;
@@ -268,7 +268,7 @@ cloth::Solid placed_body(const SeenBody& body, const pose::MeshData& layout, con
             half_m = glm::max(half_m, glm::abs(back * (point - glm::dvec3(solid.centre_m))));
         }
     }
-    constexpr double beside = 1.04; // Factor that adds a margin around the body
+    constexpr double beside = 1.04; // Factor on the body's size, which adds a margin around the body
     solid.half_m = glm::vec3(beside * half_m + 1e-4);
     solid.grid = number;
     return solid;
@@ -279,7 +279,8 @@ namespace {
 constexpr uint32_t mesh_cells = 40;
 constexpr double mirror = -1.0;
 constexpr double margin_m = 1.0;
-constexpr double nobody_there_m = -1e4; // Height of the ground at places that no sheet can reach
+// Height of the ground that is stored for places that no sheet can reach.
+constexpr double nobody_there_m = -1e4;
 
 cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
 {
@@ -303,8 +304,8 @@ cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
 
 using HeightAt = std::function<double(double x_m, double z_m)>;
 
-/// Returns a box around the sheets with a margin of a metre, rounded to whole metres: least x and z, greatest
-/// x and z.
+/// Returns a box around the sheets with a margin of a metre, rounded to whole metres: the result holds least
+/// x and z, then greatest x and z.
 glm::dvec4 level_box(std::span<const SheetPlace> sheets)
 {
     Bounds all;
@@ -331,12 +332,12 @@ std::vector<double> lows_of(std::span<const SheetPlace> sheets)
     return lows_m;
 }
 
-/// Returns whether the ground below a sheet's box may reach up to the box, judged by a few samples.
+/// Returns whether the ground below a sheet's box may reach up to the box, as estimated from a few samples.
 bool comes_down_to(const Bounds& box, const HeightAt& height_at)
 {
     constexpr int places = 5;        // Number of samples in each direction
     constexpr double steepest = 0.7; // Steepest slope of sand
-    // Largest move of a sheet before the ground is sampled again, horizontally and down.
+    // Largest distance, horizontal or down, by which a sheet may move before the ground is sampled again.
     constexpr double unasked_m = 1.0;
     const glm::dvec3 step = (box.max - box.min) / static_cast<double>(places - 1);
     double highest_m = -std::numeric_limits<double>::infinity();

@@ -26,16 +26,16 @@ struct BoneCapsule {
 };
 
 /// Makes one capsule for each bone that moves part of a body. The capsule's radius is the median distance of
-/// the bone's vertices. Bones of cloth get none. Cost: linear in skinned vertices.
+/// the bone's vertices. Bones that move cloth get no capsule. Cost: linear in skinned vertices.
 [[nodiscard]] std::vector<BoneCapsule> bone_capsules(const Scene& scene);
 
 /// Places a bone's capsule in a pose of the scene.
 [[nodiscard]] cloth::Solid placed_bone(const BoneCapsule& bone, const ScenePose& pose,
                                        const glm::dvec3& anchor);
 
-/// A body with which cloth collides: all draw calls of one skeleton except cloth. The body's depth maps look
-/// along the shortest side of its box in the bind pose. This axis rotates with the joint that moves most of
-/// the body's surface.
+/// A body with which cloth collides: all draw calls of one skeleton except cloth. The body's depth maps are
+/// taken along the shortest side of the body's box in the bind pose. This direction rotates with the joint
+/// that moves most of the body's surface.
 struct SeenBody {
     /// The vertices of a body that one joint moves, in the bind pose.
     struct Part {
@@ -56,7 +56,7 @@ struct SeenBody {
 [[nodiscard]] std::vector<SeenBody> seen_bodies(const Scene& scene, const pose::MeshData& layout);
 
 /// Places a body in a pose (relative to the scene's anchor), in a box that contains every part that the
-/// body's joints move. Vertices that morph targets move outside this box are cut off.
+/// body's joints move. Vertices that morph targets move out of this box do not collide.
 [[nodiscard]] cloth::Solid placed_body(const SeenBody& body, const pose::MeshData& layout,
                                        const pose::PoseData& pose, uint32_t number);
 
@@ -75,9 +75,9 @@ public:
     explicit SolidGrids(const Scene& scene);
 
     /// Samples the heights of the ground below the cloth sheets that may reach it, every half second. Returns
-    /// whether the heights changed. On slopes steeper than sand, features narrower than a quarter of a sheet
-    /// may be missed. Cost when ground or sheets changed: 25 samples of the ground per sheet with a bounded
-    /// reach, and up to 9,409 below sheets that may touch it; otherwise none.
+    /// whether the heights changed. On slopes steeper than sand, features of the ground narrower than a
+    /// quarter of a sheet may be missed. Cost if ground or sheets changed: 25 samples of the ground per sheet
+    /// with a bounded reach, and up to 9,409 samples below sheets that may touch the ground.
     bool follow_ground(const Scene& scene, std::span<const SheetPlace> sheets, const glm::dvec3& anchor,
                        double time_s);
 
@@ -96,7 +96,7 @@ private:
         glm::dvec3 anchor{0.0};
         double time_s = 0.0;
         const terrain::Program* program = nullptr;
-        /// Lowest heights that the cloth sheets may reach, in steps of a quarter metre.
+        /// For each sheet: lowest height that it may reach, rounded to a quarter metre.
         std::vector<double> lows_m;
 
         bool operator==(const GroundKey&) const = default;
@@ -104,11 +104,11 @@ private:
 
     /// Grids of all colliders; with a terrain, the first grid holds the ground's heights.
     std::vector<cloth::SolidGrid> grids_;
-    /// Number of the grid of each mesh; the key is the mesh, and whether it is mirrored.
+    /// For each mesh: index of its grid. The key is the mesh, and whether it is mirrored.
     std::map<std::pair<Index, bool>, uint32_t> of_mesh_;
     std::optional<GroundKey> ground_;
     bool is_ground_near_ = false;
-    std::optional<Terrain> terrain_; ///< Keeps the program in `ground_` alive
+    std::optional<Terrain> terrain_; ///< Keeps the compiled height graph of `ground_` alive
 };
 
 } // namespace estampe::features

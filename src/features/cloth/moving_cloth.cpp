@@ -13,7 +13,7 @@ namespace estampe::features {
 namespace {
 
 constexpr double usual_step_s = 1.0 / 120.0;
-// Most simulation steps between two poses; held particles move linearly in between.
+// Largest number of simulation steps between two poses. Between two poses, held particles move linearly.
 constexpr uint32_t steps_between_poses = 5;
 
 /// Merges vertices at the same position to one particle, so that cloth sheets stay connected along UV seams.
@@ -118,7 +118,7 @@ MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layo
         if (cloth == nullptr || primitive.indices.empty()) {
             continue;
         }
-        // A primitive with the cloth's back material is the back of the preceding primitive.
+        // A primitive with the cloth's back material is the back of the primitive before it.
         if (primitive.material == cloth->back_material) {
             const auto front = std::ranges::find_if(cut.draws, [&](uint32_t draw) {
                 const pose::DrawSource& other = layout.sources[draw];
@@ -239,7 +239,8 @@ std::vector<SheetPlace> MovingCloth::sheet_places(const pose::PoseData& pose) co
     for (size_t i = 0; i < places.size(); ++i) {
         SheetPlace& sheet = sheets.emplace_back(SheetPlace{.box = box_about(reaches_[i], places[i])});
         if (!may_go) {
-            // A cloth sheet that hangs stays within one diagonal of its held particles, and stretches little.
+            // A hanging cloth sheet stays within the length of its diagonal from its held particles, and
+            // stretches only a little.
             Bounds larger = reaches_[i];
             larger.extend(reaches_[i].min - reaches_[i].radius());
             larger.extend(reaches_[i].max + reaches_[i].radius());
@@ -344,7 +345,8 @@ std::vector<ClothSteps> MovingCloth::steps_between(double from_s, double to_s, c
         result.push_back(
             {.from_s = begin_s, .to_s = from_s + done * step_s, .count = count, .surroundings = around});
     }
-    // The last step ends at exactly this time, because the next picture compares the time with its own.
+    // The last step ends at exactly `to_s`, because the next picture compares the end of the simulation with
+    // its own time.
     result.back().to_s = to_s;
     return result;
 }
@@ -446,7 +448,7 @@ void MovingCloth::add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles,
 std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const glm::dvec3& anchor,
                                             double time_s)
 {
-    constexpr double quick_m_per_s = 25.0; // A node that moves faster than this is treated as a jump
+    constexpr double quick_m_per_s = 25.0; // A node that moves faster than this is treated as having jumped
     constexpr double jump_m = 1.0;
     std::vector<glm::mat4> places = places_of_draws(pose);
     std::vector<glm::mat4> carries;

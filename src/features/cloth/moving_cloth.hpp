@@ -21,7 +21,8 @@ namespace estampe::features {
 /// The simulation from the present state of the cloth sheets to the time of a picture.
 struct ClothRun {
     bool starts_anew = false;
-    /// After recall() of a saved state, the nodes that hold the sheets must be posed first.
+    /// True after recall() of a saved state: the nodes that hold the sheets must be posed before the
+    /// simulation starts.
     bool is_taken_up = false;
     double from_s = 0.0; ///< Scene time at which the simulation starts; before 0 the scene looks as at 0
     double to_s = 0.0;
@@ -55,8 +56,8 @@ public:
 
     [[nodiscard]] cloth::Cloths& sheets() { return sheets_; }
 
-    /// Returns the draw calls that are cloth sheets, in ascending order; the simulation replaces their posed
-    /// vertices.
+    /// Returns the draw calls that are cloth sheets, in ascending order; the simulation replaces the posed
+    /// vertices of these draw calls.
     [[nodiscard]] std::span<const uint32_t> draws() const { return draws_; }
 
     /// Returns the simulation that a picture needs; none if the sheets already have the picture's state.
@@ -78,8 +79,8 @@ public:
     void place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
                       const pose::MeshData& layout, cloth::ClothBodies bodies);
 
-    /// Makes the next pose of the solids valid for the beginning of the next run too, without interpolation
-    /// from an older pose.
+    /// Makes the next pose of the solids also valid for the beginning of the next simulation run. Solids are
+    /// then not interpolated from an older pose.
     void forget_before()
     {
         sheets_.forget_before();
@@ -90,24 +91,24 @@ public:
     void add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles, const pose::PoseData& pose,
                     gpu::BufferId posed_vertices);
 
-    /// Declares simulation steps. Sheets are held by vertices as posed at the end of the steps; solids must
-    /// have been placed for that time too.
+    /// Declares simulation steps. Sheets are held at vertices in the pose at the end of the steps. Solids
+    /// must have been placed for that time.
     void add_steps(gpu::Graph& graph, cloth::Cloths::Handles& handles, const ClothSteps& steps,
                    const pose::PoseData& pose, const glm::dvec3& anchor, gpu::BufferId posed_vertices);
 
     /// Returns the boxes that the cloth sheets occupied since the last call (relative to the scene's anchor);
-    /// an infinite box if a sheet may get anywhere.
+    /// the box is infinite if nothing limits where a sheet may move.
     [[nodiscard]] std::vector<Bounds> sweep(const pose::PoseData& pose);
 
     /// Returns the transforms that move the cloth sheets along with the nodes that hold them, since the last
-    /// call. Empty unless such a node jumped within `time_s`, or the anchor moved.
+    /// call. Empty unless such a node jumped within the time `time_s`, or the anchor moved.
     [[nodiscard]] std::vector<glm::mat4> carries(const pose::PoseData& pose, const glm::dvec3& anchor,
                                                  double time_s);
 
-    /// Makes the next picture start the simulation again.
+    /// Makes the simulation start again with the next picture.
     void forget() { time_s_.reset(); }
 
-    /// Records that the simulation steps up to `time_s` have run.
+    /// Sets the time up to which the sheets are simulated.
     void stands_at(double time_s) { time_s_ = time_s; }
 
     [[nodiscard]] std::optional<double> time_s() const { return time_s_; }
@@ -131,7 +132,7 @@ public:
     /// triangle changed. `torn` is the content of sheets().torn().
     [[nodiscard]] bool tear_triangles(pose::MeshData& layout, std::span<const glm::uvec2> torn) const;
 
-    bool has_moved = false; ///< The device must still pose the sheets' vertices
+    bool has_moved = false; ///< The sheets' vertices on the device are out of date
 
 private:
     struct Cut {
@@ -147,29 +148,29 @@ private:
     [[nodiscard]] std::vector<glm::mat4> places_of_draws(const pose::PoseData& pose) const;
     [[nodiscard]] std::vector<SheetPlace> sheet_places(const pose::PoseData& pose) const;
 
-    /// Returns boxes that contain the cloth sheets between the last pose and this one; empty if a sheet may
-    /// get anywhere.
+    /// Returns boxes that contain the cloth sheets between the last pose and this one; empty if nothing
+    /// limits where a sheet may move.
     [[nodiscard]] std::vector<cloth::SheetReach> stays_in(std::span<const SheetPlace> now);
     void tell_bodies(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
     [[nodiscard]] static Cut cut(const Scene& scene, const pose::MeshData& layout);
     MovingCloth(gpu::Device& device, Cut&& cut);
 
-    /// The source of a cloth sheet: node, primitive of its mesh, instance.
+    /// Where a cloth sheet comes from: node, primitive of the node's mesh, and instance.
     using CutFrom = std::tuple<Index, uint32_t, uint32_t>;
 
     cloth::Cloths sheets_;
     std::vector<uint32_t> draws_;
-    std::vector<CutFrom> cut_from_; ///< Source of each cloth sheet
+    std::vector<CutFrom> cut_from_; ///< For each cloth sheet: where it comes from
     std::vector<BoneCapsule> bones_;
     /// Bodies with depth maps; made when the style first needs depth maps.
     std::optional<std::vector<SeenBody>> bodies_;
-    bool are_seen_ = false;              ///< Bodies collide by depth maps instead of capsules
+    bool are_seen_ = false;              ///< Bodies collide by their depth maps, not by capsules
     std::vector<glm::mat4> joints_seen_; ///< Pose of the bodies when their depth maps were drawn
     std::vector<float> morphs_seen_;
     SolidGrids grids_;
     std::vector<Bounds> reaches_; ///< Bounds of each cloth sheet, in object space
     bool all_hang_ = false;       ///< Every particle of the sheets is connected to a held particle
-    std::vector<cloth::SheetReach> stayed_in_; ///< Boxes of the sheets in the last pose
+    std::vector<cloth::SheetReach> stayed_in_; ///< Boxes of the sheets since the last pose
     std::vector<Bounds> swept_before_;
     std::vector<glm::mat4> places_before_;
     glm::dvec3 anchor_before_{0.0};

@@ -11,10 +11,11 @@ namespace estampe::features {
 
 class Clouds final : public Feature {
 public:
-    /// Clouds depend only on the style and its time. A change of the scene never makes them obsolete.
+    /// Does nothing: clouds depend only on the style and its time, so no change of the scene makes them
+    /// obsolete.
     void invalidate(Event /*event*/) override {}
 
-    /// Uploads the clouds of a plan. Uploads the shapes of the clouds only if they changed.
+    /// Uploads the clouds of a plan. The shapes of the clouds are uploaded only if they have changed.
     void upload(gpu::Device& device, const sky::CloudPlan& plan);
 
     /// Returns the cloud shapes of the last plan, for sky::plan_clouds().

@@ -61,8 +61,8 @@ class Change {
 public:
     explicit Change(StyleTables& style) : style_(style) {}
 
-    /// Replaces a parameter's value, in the picture's style and in every override of that key, by
-    /// changed(value).
+    /// Replaces a parameter's value, in the picture's style and in every override of the parameter, by the
+    /// result of changed(value).
     template <typename Changed>
     void replace(std::string_view key, const Changed& changed)
     {
@@ -135,8 +135,8 @@ constexpr std::array<std::string_view, 21> painted{
     "haze.tint_color", "smoke.color",       "smoke.shade_color", "smoke.deep_color",   "smoke.flame_color",
     "particles.color"};
 
-/// Blends a colour towards the grey of equal luminance (ITU-R BT.709); `kept` = 1 returns the colour
-/// unchanged.
+/// Blends a colour towards the grey of equal luminance (ITU-R BT.709); if `kept` is 1, the colour does not
+/// change.
 glm::vec3 faded_to_grey(const glm::vec3& color, float kept)
 {
     const float grey = glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
@@ -182,8 +182,8 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
     change.multiply_all(stroke_widths, drawing.hatch_spacing * drawing.hatch_weight);
     change.multiply("hatch.dots_mm", drawing.hatch_spacing);
     // Darkens the hatching: the gap between strokes is the stroke's width divided by the darkness. The
-    // exponent of the tone curve darkens tones and leaves white paper white. A lower exposure would darken
-    // white paper, too.
+    // exponent of the tone curve darkens tones and leaves white paper white. A lower exposure would also
+    // darken white paper.
     const float darkening = drawing.hatch_weight * drawing.darkness;
     if (room.tone.curve == light::ToneCurve::linear && darkening != 1.0F) {
         room.tone.curve = light::ToneCurve::gamma;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Section [drawing] of a style: the few factors that an artist changes first. They multiply the values of the
-// preset.
+// Section [drawing] of a style: the few factors that an artist changes first. These factors multiply the
+// values of the preset.
 
 #include <cstdint>
 
@@ -32,9 +32,9 @@ struct DrawingStyle {
 
 [[nodiscard]] const style::Table<DrawingStyle>& drawing_table();
 
-/// Applies the section [drawing] to all other sections of the style. In the overrides of single materials
-/// and objects it changes only numbers. Values stay within their ranges. Returns `style` itself if the
-/// section changes nothing, otherwise `room`, whose memory is reused. Cost: some microseconds.
+/// Applies the section [drawing] to all other sections of the style. In overrides for single materials and
+/// objects, only numbers are changed. Values stay within their ranges. Returns `style` itself if the section
+/// changes nothing, otherwise returns `room`, whose memory is reused. Cost: some microseconds.
 [[nodiscard]] const StyleTables& with_drawing(const StyleTables& style, StyleTables& room);
 
 } // namespace estampe::features

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The interface of all features of the renderer: a feature forgets what an event makes obsolete, and saves
-// its state between two frames of a film, as a named and versioned section of bytes.
+// The interface of all features of the renderer. A feature forgets data that an event makes obsolete. Between
+// two frames of a film, a feature can save its state as a section of bytes with a name and a version.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace estampe::features {
 
-/// Reports damaged data. Throws Error: the bytes are not the saved state of a film, or are damaged.
+/// Throws an Error which says that the bytes are damaged or are not the saved state of a film.
 [[noreturn]] void fail_damaged();
 
 /// Collects the bytes of one section of a film's saved state.
@@ -40,7 +40,8 @@ public:
 
     void flag(bool is_set) { value(uint8_t{is_set}); }
 
-    /// Appends numbers without their count; a caller that needs the count must write it first.
+    /// Appends numbers to the section. Their count is not stored; if it is needed, the caller must write it
+    /// first.
     void floats(std::span<const float> numbers) { append(std::as_bytes(numbers)); }
 
     /// Appends the contents of `buffers`, one after the other. Cost: a graph that copies them to the host.
@@ -57,7 +58,7 @@ private:
 };
 
 /// Reads one section of a film's saved state, in the order in which it was written. All functions throw Error
-/// past the section's end.
+/// when they would read beyond the end of the section.
 class FilmReader {
 public:
     FilmReader(gpu::Device& device, std::span<const std::byte> bytes) : device_(device), left_(bytes) {}
@@ -89,7 +90,7 @@ private:
     std::span<const std::byte> left_;
 };
 
-/// Events that may make data obsolete that a feature keeps between pictures.
+/// Events that make data obsolete that features keep between pictures.
 enum class Event : uint8_t {
     scene_replaced,    ///< set_scene() has replaced the whole scene
     layout_replaced,   ///< The scene's draw calls, vertices and triangles have new numbers
@@ -98,7 +99,7 @@ enum class Event : uint8_t {
     lights_changed,    ///< Lights have changed, so shadows may have changed
     pose_changed,      ///< The vertices are about to be posed differently than in the previous frame
     anchor_moved,      ///< Positions on the device are relative to another origin
-    film_recalled,     ///< A film's state was restored, but has no section of this feature
+    film_recalled,     ///< A film's state was restored, but it has no section of this feature
 };
 
 /// The feature's section in the saved state of a film.

@@ -111,7 +111,7 @@ bool take_over(Scene& scene, std::span<const NodePlace> places)
     }
     const std::vector<bool> moves = moving_nodes(scene);
     for (size_t node = 0; node < scene.nodes.size(); ++node) {
-        // The node was treated as static; a skinned mesh is never static.
+        // True if the node was treated as static. A node with a skinned mesh is never static.
         const bool stood = scene.nodes[node].mesh != no_index && scene.nodes[node].skin == no_index;
         if (stood && moves[node] && !moved_before[node]) {
             return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recent transforms of nodes that the calling program moves while the scene is drawn.
+// Stores recent transforms of nodes that the calling program moves while the scene is drawn.
 
 #include <cstddef>
 #include <deque>
@@ -39,8 +39,9 @@ private:
 /// number is not finite.
 void check_places(std::span<const NodePlace> places, size_t node_count, double time_s);
 
-/// Clears the animation channels of the nodes that the calling program moves. The channels remain without
-/// keys, and mark the nodes as moving. Returns whether a mesh moves now that was treated as static before.
+/// Clears the animation channels of the nodes that the calling program moves. The channels remain, without
+/// keys, to mark the nodes as moving. Returns true if one of the nodes has a mesh that was treated as static
+/// before.
 [[nodiscard]] bool take_over(Scene& scene, std::span<const NodePlace> places);
 
 } // namespace estampe::features

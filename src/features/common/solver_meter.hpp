@@ -15,7 +15,7 @@ namespace estampe::features {
 
 class SolverMeter {
 public:
-    /// Creates a meter for one fluid. With `measures` false, run() only runs graphs.
+    /// Creates a meter for the solver of one fluid. If `measures` is false, run() only runs graphs.
     SolverMeter(gpu::Device& device, gpu::Executor& executor, bool measures)
         : device_(device), executor_(executor), measures_(measures)
     {

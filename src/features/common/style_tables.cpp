@@ -66,7 +66,7 @@ wind::WindStyle wind_over(const Terrain* terrain, const wind::WindStyle& style)
     if (terrain != nullptr && style.from == wind::WindSource::automatic) {
         over.speed_m_per_s = terrain->description().wind.speed_m_per_s;
         over.towards_deg = terrain->description().wind.towards_deg;
-        // The distance that the wind has blown follows from its speed and the time.
+        // The distance that the wind has blown is computed from its speed and the time.
         over.blown_m = wind::WindStyle().blown_m;
     }
     return over;
@@ -102,7 +102,7 @@ namespace {
 
 using By = style::Surfaces::By;
 
-/// Tells for each override of the style whether it applies; one entry per override.
+/// For each override of a style: whether the override applies.
 using Matches = std::vector<bool>;
 
 Matches matches_of(const std::vector<style::Override>& overrides, By by, const std::string& name)
@@ -158,7 +158,7 @@ bool is_seen_through(const StyleTables& style, const Material& material)
 }
 
 /// The style variant of a transparent material: strokes on the material are paler. If the style paints
-/// colour, the material's colour tints the surfaces behind it.
+/// colour, the surfaces behind the material are seen in its colour.
 StyleTables seen_through(StyleTables variant, const Material& material)
 {
     variant.subsurface = subsurface::seen_through(variant.subsurface, material, variant.wash.strength);
@@ -197,8 +197,9 @@ bool StyleVariants::has_inks_by_kind() const
 
 namespace {
 
-/// For each override, whether it changes how surfaces are drawn. Values that differ by object alone are those
-/// of lights, zones and emitters, which are found by their nodes, as are the light links of section `light`.
+/// For each override: whether it changes how surfaces are drawn. Parameters that may differ only by object do
+/// not: they belong to lights, ink zones and emitters, which are found by their nodes. Light links of the
+/// section `light` do not change it either.
 Matches overrides_of_surfaces(const std::vector<style::Override>& overrides)
 {
     Matches matches;
@@ -229,11 +230,12 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
         of_materials.push_back(matches_of(style.overrides, By::material, material.name));
     }
     std::map<Matches, uint32_t> variants{{Matches(style.overrides.size(), false), 0U}};
-    // Number of the variant for a transparent material; the key is the variant and the material.
+    // Index of the style variant for a transparent material. The key is the variant without transparency, and
+    // the material.
     std::map<std::pair<uint32_t, Index>, uint32_t> clear_variants;
     for (size_t draw = 0; draw < meshes.draws.size(); ++draw) {
         Matches matches(style.overrides.size(), false);
-        if (draw < meshes.sources.size()) { // A draw call without a source is the ground
+        if (draw < meshes.sources.size()) { // A draw call without a source object is the ground
             add(matches, of_nodes[meshes.sources[draw].node]);
             if (meshes.draws[draw].material < of_materials.size()) {
                 add(matches, of_materials[meshes.draws[draw].material]);
@@ -295,7 +297,7 @@ bool has_light(const Scene& scene, const std::string& pattern)
                                [&](const Light& light) { return style::matches(pattern, light.name); });
 }
 
-/// Says what the override needs and the scene does not have; empty if the scene has it.
+/// Describes what the override needs but the scene does not have. Returns an empty text if the scene has it.
 std::string missing(const Scene& scene, const style::Override& change)
 {
     const std::string& pattern = change.surfaces.pattern;

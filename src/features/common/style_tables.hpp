@@ -41,7 +41,7 @@
 
 namespace estampe::features {
 
-/// Style parameters that belong to no technique.
+/// Style parameters of the picture as a whole, which belong to no technique.
 struct PictureStyle {
     style::AutoToggle ground = style::AutoToggle::automatic;
 };
@@ -88,7 +88,8 @@ struct StyleTables {
 /// Copies sections that several features read to the tables of those features: the wind to hatch, clouds,
 /// smoke and particles, and the fading of paint and hatching in haze to wash and hatch. If wind.from is auto,
 /// the wind of `terrain` (which may be null) replaces that of the style. Returns `style` itself if wind and
-/// fading have their default values, or else `room` with the changed style. `style` may be `room`.
+/// fading have their default values; otherwise returns `room`, which then holds the changed style. `style`
+/// may be `room`.
 [[nodiscard]] const StyleTables& with_shared_sections(const StyleTables& style, const Terrain* terrain,
                                                       StyleTables& room);
 
@@ -107,12 +108,13 @@ struct StyleVariants {
     /// Returns whether a kind of line has an ink of its own in some style variant.
     [[nodiscard]] bool has_inks_by_kind() const;
 
-    /// Whether lines need the widths and inks of each variant on the device (shared::VariantLines).
+    /// Returns whether the device needs the widths and inks of lines for each style variant
+    /// (shared::VariantLines).
     [[nodiscard]] bool need_variant_lines() const { return has_several() || has_inks_by_kind(); }
 };
 
 /// Finds the style variant of each draw call. Draw calls with the same overrides share a variant; overrides
-/// of lights, zones of ink and emitters of particles make none. The list of styles reuses the memory of
+/// of lights, ink zones and emitters of particles make no variant. The list of styles reuses the memory of
 /// `room`. Cost: linear in draw calls times overrides.
 [[nodiscard]] StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene,
                                            const StyleTables& style, std::vector<StyleTables> room = {});
@@ -121,14 +123,15 @@ struct StyleVariants {
 /// applies to the node's descendants. Cost: linear in nodes times overrides.
 [[nodiscard]] StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style);
 
-/// Returns one message per pattern of the style's overrides that matches nothing in the scene, or no light
-/// where the override changes a light.
+/// Returns one message for each pattern of the style's overrides that matches nothing in the scene. If an
+/// override changes lights, its pattern must match a light.
 [[nodiscard]] std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style);
 
-/// Returns whether a pattern matches the name of a node or of one of its ancestors.
+/// Returns whether a pattern matches the name of a node, or the name of one of the node's ancestors.
 [[nodiscard]] bool is_named(const Scene& scene, Index node, const std::string& pattern);
 
-/// Returns whether a pattern matches the name of a light, or is_named() a node with that light.
+/// Returns whether a pattern matches the name of a light, or the name of a node with that light or of one of
+/// its ancestors.
 [[nodiscard]] bool is_named_light(const Scene& scene, Index light, const std::string& pattern);
 
 } // namespace estampe::features

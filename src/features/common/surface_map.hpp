@@ -20,8 +20,8 @@ namespace estampe::features {
 struct SurfaceMapData {
     uint32_t size = 0;         ///< Texels per side of the atlas
     float texels_per_m = 0.0F; ///< Resolution of the atlas on the surfaces, at the scale of the rest pose
-    /// Texels row by row: number of the triangle + 1, or 0; then the weights of the triangle's corners 2 and
-    /// 3.
+    /// For each texel, row by row: number of the triangle + 1 (0: no triangle), and the weights of the
+    /// triangle's corners 2 and 3.
     std::vector<glm::uvec4> texels;
     /// Position of the triangles' corners in the atlas, three per triangle, in texels; negative outside the
     /// atlas.

@@ -20,7 +20,8 @@ struct PixelRect {
 
 /// The whole page at reduced resolution. Results that must be equal in all tiles are computed from this page.
 struct Survey {
-    PixelRect part; ///< Rectangle in page pixels; larger than the page if `shrink` does not divide its size
+    /// Rectangle of the survey in page pixels; larger than the page if `shrink` does not divide its size.
+    PixelRect part;
     uint32_t shrink = 1; ///< Page pixels per survey pixel, along each axis
 
     [[nodiscard]] glm::uvec2 size_px() const { return part.size_px / shrink; }
@@ -29,22 +30,22 @@ struct Survey {
 /// Page, tile and sampling of a picture, for the shaders' FrameGlobals.
 struct ViewSettings {
     glm::uvec2 size_px{0};         ///< Size of the whole page in pixels
-    std::optional<PixelRect> tile; ///< Part of the page to draw; none draws the whole page
+    std::optional<PixelRect> tile; ///< Part of the page to draw; none: the whole page
     std::optional<Survey> survey;  ///< If set, the whole page is drawn in fewer pixels
     glm::dvec2 jitter_px{0.0};     ///< Subpixel shift of the picture, within half a pixel
     double page_height_mm = 150.0;
     float nearby_m = 1.0F; ///< Distance from the eye to nearby objects, see FrameGlobals::nearby_m
 };
 
-/// Returns a matrix that maps clip space of the page to clip space of a part of it. In both, y points down on
-/// the page.
+/// Returns a matrix that maps clip space of the page to clip space of a part of it. In both clip spaces, y
+/// points down on the page.
 [[nodiscard]] glm::dmat4 crop_of(const PixelRect& part, glm::uvec2 page_px);
 
 /// The two views between which a frame's motion is measured.
 struct MotionPlan {
     glm::mat4 clip_from_anchor{1.0F}; ///< Camera matrix of one moment, without the subpixel shift of a sample
     glm::mat4 clip_from_anchor_before{1.0F};
-    /// Vertices moved between the moments; MeshBuffers::posed_vertices[1] holds the former vertices.
+    /// The vertices moved between the two moments; MeshBuffers::posed_vertices[1] holds the earlier vertices.
     bool pose_moved = false;
 };
 
@@ -58,12 +59,12 @@ struct MotionPlan {
 /// the drawn tile, or of the whole page if there are no tiles.
 [[nodiscard]] glm::mat4 drawn_clip(const shared::FrameGlobals& globals);
 
-/// Returns the globals of a picture of half the resolution, which samples the pixels at even page
+/// Returns the FrameGlobals of a picture with half the resolution, which samples the pixels at even page
 /// coordinates.
 [[nodiscard]] shared::FrameGlobals every_second(shared::FrameGlobals globals);
 
-/// Distance from the eye within which the nearest fifth of `places` are, in the unit of `places`. At most
-/// 4096 places are sampled. Returns 0 without places. The result changes smoothly as the eye moves.
+/// Distance from the eye within which a fifth of `places` lies, in the unit of `places`. At most 4096 places
+/// are sampled. Returns 0 without places. The result changes smoothly as the eye moves.
 [[nodiscard]] float nearby(std::span<const glm::vec3> places, const glm::vec3& eye);
 
 /// Pixels per millimetre of a page that is `height_px` pixels high.
@@ -75,7 +76,7 @@ struct PixelSize {
     float at_one_m = 0.001F;
     bool is_parallel = false;
 
-    /// The size of a page pixel at a distance from the eye.
+    /// Returns the size of a page pixel in the scene, at a distance from the eye.
     template <std::floating_point Number>
     [[nodiscard]] Number at(Number distance_m) const
     {

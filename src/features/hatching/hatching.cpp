@@ -172,7 +172,7 @@ std::filesystem::path kept_map(const tam::TamStyle& style)
     }
     Hash hash;
     hash.add_text(style::Schema(tam::tam_table()).to_toml(style));
-    hash.add(style.seed); // The table does not contain `seed`, because drawing.seed sets it
+    hash.add(style.seed); // The table does not contain `seed`, because the seed is set by drawing.seed
     return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash.value());
 }
 

@@ -24,7 +24,7 @@ namespace estampe::features {
 struct StrokePlan {
     /// Stroke kind of each draw call, numbered as in shaders/stroke_kind.glsl.h.
     std::vector<uint32_t> kind_of_draw;
-    uint32_t present = 0;              ///< Stroke kinds that occur, one bit per kind
+    uint32_t present = 0;              ///< Stroke kinds that occur in the picture, one bit per kind
     glm::vec2 ground_wind{1.0F, 0.0F}; ///< Horizontal direction of the wind over the ground, as x and z
 
     [[nodiscard]] bool has(uint32_t kind) const { return (present >> kind & 1U) != 0; }
@@ -38,18 +38,19 @@ struct StrokePlan {
 };
 
 /// Chooses the direction that the strokes of each draw call follow: the choice of its style variant, if the
-/// surface allows this choice. Strokes follow UVs only on meshes with UVs. A ground has no form, and dunes
-/// use their slope. The list reuses the memory of `room`. Cost: linear in draw calls.
+/// surface allows this choice. Strokes follow UVs only on meshes with UVs. The blank ground has no form to
+/// follow; on dunes, strokes follow the slope. The list reuses the memory of `room`. Cost: linear in draw
+/// calls.
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& variants,
                                       std::vector<uint32_t> room = {});
 
-/// Returns the hatching lines whose direction shadow edges can follow; none if the hatching does not consist
-/// of lines.
+/// Returns the hatching lines along which the edges of shadows can be drawn; none if the hatching does not
+/// consist of lines.
 [[nodiscard]] std::optional<shadow::HatchedLines>
 hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, const StrokePlan& strokes);
 
-/// Computes coordinates along the surface's form in the rest pose, three per triangle; zero for draw calls
-/// whose strokes do not follow the form. Cost: form::follow_form() per draw call.
+/// Computes texture coordinates that follow the form of a surface in the rest pose, three per triangle. They
+/// are zero for draw calls whose strokes do not follow the form. Cost: form::follow_form() per draw call.
 [[nodiscard]] std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const StrokePlan& plan);
 
 /// The settings on which a tonal art map depends.
@@ -66,8 +67,8 @@ struct MapChoice {
 
 /// Reads the tonal art map's file, or draws the map. A drawn map is cached in `estampe` under $XDG_CACHE_HOME
 /// or ~/.cache; without a usable cache the map is drawn every time. Throws Error with the file's name if the
-/// file is not a map, or with the style's name if the map cannot be drawn. Cost: about a second to draw six
-/// tones of 512 px; 50 ms to read them.
+/// file is not a map, or with the style's name if the map cannot be drawn. Cost: about a second to draw a map
+/// of six tones of 512 px, or 50 ms to read it from the cache.
 [[nodiscard]] hatch::MapData load_map(const MapChoice& choice);
 
 /// Tonal art maps on the device, one per distinct choice among the style variants, kept from picture to
@@ -94,7 +95,7 @@ private:
     std::vector<std::optional<size_t>> place_of_variant_;
 };
 
-/// Returns the cache file for the tonal art map of `style`; empty without a cache folder.
+/// Returns the path of the cache file for the tonal art map of `style`; empty if there is no cache folder.
 [[nodiscard]] std::filesystem::path kept_map(const tam::TamStyle& style);
 
 class Hatching final : public Feature {
@@ -117,14 +118,14 @@ public:
     /// Returns the buffer with the stroke kind of each draw call, numbered as in shaders/stroke_kind.glsl.h.
     [[nodiscard]] gpu::Buffer& kinds() { return kinds_; }
 
-    /// Returns the buffer with coordinates along the form, three per triangle; empty if no strokes follow the
-    /// form.
+    /// Returns the buffer with the result of form_coordinates(), three texture coordinates per triangle;
+    /// empty if no strokes follow the form.
     [[nodiscard]] gpu::Buffer& form_coordinates() { return form_coordinates_; }
 
 private:
     TonalMaps maps_;
     std::vector<hatch::HatchVariant> variants_; ///< Hatching of each variant, kept to reuse the list's memory
-    std::vector<uint32_t> kind_of_draw_;        ///< The stroke kinds that `kinds_` holds
+    std::vector<uint32_t> kind_of_draw_;        ///< Stroke kind of each draw call, as stored in `kinds_`
     gpu::Buffer kinds_;
     gpu::Buffer form_coordinates_;
 };

@@ -81,7 +81,7 @@ std::optional<shared::InkZone> disc_zone(const ZoneView& view, const glm::dmat4&
                            .radius_mm = static_cast<float>(std::max(radius_mm, smallest_mm))};
 }
 
-/// The direction on the page in which a node's -z points.
+/// Direction on the page in which the -z axis of a node points.
 glm::dvec2 ahead_on_page(const ZoneView& view, const glm::dmat4& world_from_node)
 {
     const glm::dvec3 middle(world_from_node[3]);
@@ -118,7 +118,7 @@ void add_zone(InkZones& zones, const ZoneView& view, size_t node, const ink::Zon
     }
 }
 
-/// Whether an override describes a zone.
+/// Returns whether an override describes an ink zone.
 bool is_of_zone(const style::Override& change)
 {
     return change.surfaces.by == style::Surfaces::By::object && change.section == "ink" &&
@@ -190,7 +190,7 @@ InkZones ink_zones(const ZoneView& view, const StyleTables& style)
 
 namespace {
 
-constexpr double steps_per_s = 24.0; ///< Least number of simulation steps per second
+constexpr double steps_per_s = 24.0; ///< Smallest number of simulation steps per second
 /// Time in which the water is accelerated from rest when its simulation starts.
 constexpr double spin_up_s = 3.0;
 constexpr float metres_per_mm = 1e-3F;
@@ -207,8 +207,8 @@ fluid::Grid grid_of(glm::vec2 page_mm)
     return {.cells = {cells, 1}, .cell_m = metres_per_mm * cell_mm, .edges = {wall, wall, wall}};
 }
 
-/// The places where the ink's water is pushed: the style's zones, and discs on a lattice with a spacing of
-/// half a swirl.
+/// The places where a force moves the ink's water: the style's ink zones, and discs on a lattice with a
+/// spacing of half a swirl.
 class Spoons {
 public:
     Spoons(const ink::InkStyle& style, glm::vec2 page_mm, const std::vector<shared::InkZone>& zones)
@@ -224,7 +224,8 @@ public:
 
     [[nodiscard]] std::vector<fluid::Source> at(double time_s) const
     {
-        constexpr float stronger = 2.0F; // Strength with which the water moves at about the swirls' own speed
+        // Factor on the force with which the water reaches about the speed of the swirls.
+        constexpr float stronger = 2.0F;
         const auto phases = ink::phases_at(waves_, time_s);
         std::vector<fluid::Source> sources;
         for (uint32_t i = 0; i < counts_.x * counts_.y; ++i) {
@@ -265,8 +266,8 @@ private:
     float radius_mm_ = 1.0F;
 };
 
-/// The stream function of the water's flow at the corners of cells, in mm²/s; 0 along the walls. Its
-/// difference along a face is the flow to the right through the face.
+/// The stream function of the water's flow at the corners of cells, in mm²/s; 0 along the walls. The
+/// difference of its values at the two ends of a cell's face is the flow through the face, to the right.
 class Corners {
 public:
     Corners(const fluid::Grid& grid, const std::vector<float>& velocity)
@@ -323,8 +324,8 @@ fluid::Solver solver_of(const ink::InkStyle& style)
     return fluid::Solver::automatic;
 }
 
-/// Simulates the ink's water from one time to another. Returns the meter's report; none if no step was
-/// needed.
+/// Simulates the ink's water from one time to another. Returns the report of the pressure solver; none if no
+/// step was needed.
 std::optional<SolverReport> pass(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter,
                                  const ink::InkStyle& ink, const Spoons& spoons, double from_s, double to_s)
 {
@@ -333,8 +334,8 @@ std::optional<SolverReport> pass(fluid::Fluid& fluid, gpu::Device& device, Solve
     const fluid::FluidStyle style{
         .step_s = static_cast<float>(step_s),
         .stepping = fluid::Stepping::project,
-        // MacCormack advection distributes the water's motion over the page. Cubic interpolation would keep
-        // the motion in jets.
+        // MacCormack advection distributes the water's motion over the page. With cubic interpolation, the
+        // motion would stay in narrow jets.
         .velocity_advection = fluid::Advection::maccormack,
         .projection = {.solver = solver_of(ink), .jacobi_rounds = ink.jacobi_passes},
         .forces = {.friction_per_s = 0.1F}};
@@ -459,7 +460,7 @@ void save_camera(FilmWriter& writer, const Camera& camera)
     writer.value(camera.up);
     writer.value(camera.vertical_fov_rad);
     writer.value(camera.near_m);
-    // A negative height stands for a perspective camera.
+    // The value -1 is written for a perspective camera.
     writer.value(camera.orthographic_half_height_m.value_or(-1.0));
 }
 
@@ -560,8 +561,8 @@ std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const
 
 namespace {
 
-/// Returns `ink` with the scene's wind as `camera` sees it on the page. A wind across the view at 4 m/s moves
-/// ink as fast as the default of ink.wind_mm_per_s does.
+/// Returns `ink` with the scene's wind as `camera` sees it on the page. A wind of 4 m/s across the view moves
+/// ink at the default speed of ink.wind_mm_per_s.
 ink::InkStyle blown_by(ink::InkStyle ink, const wind::WindStyle& wind, const Camera& camera)
 {
     constexpr double mm_per_m = 4.5;
@@ -616,7 +617,7 @@ std::optional<InkPlan> FlowingInk::ensure(gpu::Device& device, gpu::Executor& ex
     }
     plan.ink.mask = ink_mask(in.layout, in.scene, style.objects, notes);
     memory_.ensure(device, style, plan.ink);
-    memory_.forget(); // The saved ink is invalid until drawn() is called
+    memory_.forget(); // Until drawn() is called, the state of the ink cannot be saved
     return plan;
 }
 

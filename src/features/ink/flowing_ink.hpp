@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Flowing ink from picture to picture: the ink's state and the camera of the last picture; the objects that
-// emit ink or move it; and the simulated water on the page, which carries the ink.
+// Flowing ink over several pictures. This file has the ink's state and the camera of the last picture, the
+// objects that emit ink or move it, and the simulated water on the page that carries the ink.
 
 #include <memory>
 #include <optional>
@@ -42,17 +42,17 @@ struct ZoneView {
     const shared::FrameGlobals& page;
 };
 
-/// Areas of the page in which nodes drive flowing ink.
+/// Areas of the page in which objects (nodes) move flowing ink or emit it.
 struct InkZones {
     std::vector<shared::InkZone> zones;
-    std::vector<float> shapes; ///< see ink::Plan::zone_shapes
+    std::vector<float> shapes; ///< Shapes of the zones, see ink::Plan::zone_shapes
 };
 
 /// Finds the ink zones of the style: nodes whose names match an override by object of `ink.zone`. The zone of
 /// a node with a mesh is the area that the mesh at rest covers on the page. The zone of a node without a mesh
-/// is a disc, as large as a sphere of one metre radius in the node's space. Nodes behind the eye get none; at
-/// most `most_ink_zones` are made, in the order of the overrides. Cost: linear in nodes times overrides, and
-/// in the triangles of the meshes.
+/// is a disc, as large as a sphere of one metre radius in the node's space. A node behind the eye gets no
+/// zone. At most `most_ink_zones` zones are made, in the order of the overrides. Cost: linear in nodes times
+/// overrides, and in the triangles of the meshes.
 [[nodiscard]] InkZones ink_zones(const ZoneView& view, const StyleTables& style);
 
 /// One flag per node: whether the style makes the node an ink zone. Meshes of such nodes are not drawn.
@@ -73,9 +73,9 @@ public:
     InkWater& operator=(const InkWater&) = delete;
 
     /// Simulates the water over the ink's time step, and returns the resulting stream function for
-    /// ink::add_stream(). If the water's state is not of the time `time.from_s`, the water starts from rest
-    /// some seconds earlier. `is_measured` fills solver_report(). Cost: one step of about 2,000 cells per
-    /// 24th of a second.
+    /// ink::add_stream(). If there is no state of the water at the time `time.from_s`, the water starts from
+    /// rest some seconds earlier. If `is_measured`, solver_report() is filled. Cost: one step of about 2,000
+    /// cells per 24th of a second.
     [[nodiscard]] std::vector<float> stirred(gpu::Device& device, gpu::Executor& executor,
                                              const ink::InkStyle& style, const ink::Page& page,
                                              const ink::Time& time, const std::vector<shared::InkZone>& zones,
@@ -88,7 +88,7 @@ public:
 
     [[nodiscard]] std::optional<KeptWater> kept(gpu::Device& device, gpu::Executor& executor);
 
-    /// Continues the next picture from the water's state `kept`, if its page has the same size.
+    /// Sets the state of the water from which the next picture continues, if its page has the same size.
     void recall(KeptWater kept);
 
 private:
@@ -107,17 +107,18 @@ struct FlowingInkInputs {
     const RenderSettings& settings;
     const StyleTables& style;
     float nearby_m = 1.0F;   ///< Distance from the eye to nearby objects, see FrameGlobals::nearby_m
-    bool pose_moved = false; ///< The vertices moved since the previous picture
+    bool pose_moved = false; ///< The scene's vertices moved since the previous picture
 };
 
 struct InkPlan {
     ink::Plan ink;
-    std::optional<MotionPlan> motion; ///< Motion of the scene's objects; only set if ink follows them
+    /// Motion of the scene's objects; only set if ink moves along with the objects.
+    std::optional<MotionPlan> motion;
 };
 
 class FlowingInk final : public Feature {
 public:
-    /// Returns the time of the ink at the end of the last picture; none if the ink starts again.
+    /// Returns the time of the ink at the end of the last picture; none if the ink starts from nothing.
     [[nodiscard]] std::optional<double> before_s(const RenderSettings& settings,
                                                  const ink::InkStyle& style) const;
 
@@ -126,7 +127,8 @@ public:
     [[nodiscard]] std::optional<InkPlan> ensure(gpu::Device& device, gpu::Executor& executor,
                                                 const FlowingInkInputs& in, std::vector<std::string>& notes);
 
-    /// Maps the ink of `drawn`, a picture of another size that was just drawn, to this picture's page.
+    /// Returns a plan that shows the ink of `drawn` on this picture's page. `drawn` is the plan of a picture
+    /// of another size that was just drawn.
     [[nodiscard]] InkPlan shown_on(gpu::Device& device, const InkPlan& drawn, const FlowingInkInputs& in);
 
     /// Advances the ink from the drawn layers of `in` in the first sample of a picture, and returns the
@@ -138,7 +140,7 @@ public:
     /// drawn.
     void drawn(const InkPlan& plan, const Camera& camera);
 
-    /// Forgets the ink when the scene or the origin of its positions is replaced.
+    /// Forgets the ink when the scene is replaced, or when positions get another origin.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"ink", 2}; }

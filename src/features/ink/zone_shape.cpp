@@ -12,7 +12,7 @@ namespace estampe::features {
 namespace {
 
 constexpr auto side = static_cast<int>(shared::ink_shape_side);
-constexpr int border = 2; ///< nodes outside of the area on each side of the field
+constexpr int border = 2; ///< number of grid points outside of the area on each side of the field
 
 using Nodes = std::vector<bool>;
 
@@ -21,7 +21,7 @@ float cross(glm::vec2 a, glm::vec2 b)
     return a.x * b.y - a.y * b.x;
 }
 
-/// Marks the nodes within a triangle, whose corners are in nodes.
+/// Marks the grid points within a triangle, whose corners are in units of the grid's spacing.
 void cover(Nodes& nodes, const PageTriangle& triangle)
 {
     const glm::vec2 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
@@ -44,7 +44,8 @@ void cover(Nodes& nodes, const PageTriangle& triangle)
     }
 }
 
-/// Distance of each node to the nearest node outside of the area, in nodes.
+/// Returns for each grid point the distance to the nearest grid point outside of the area, in units of the
+/// grid's spacing.
 std::vector<float> depths(const Nodes& nodes)
 {
     constexpr auto far = static_cast<float>(2 * side);
@@ -76,7 +77,8 @@ std::vector<float> depths(const Nodes& nodes)
 
 std::optional<ZoneShape> zone_shape(std::span<const PageTriangle> triangles)
 {
-    constexpr float widest_mm = 1e5F; // a mesh close to the eye may cover an area of any size
+    // Size limit, because a mesh close to the eye may cover an area of any size.
+    constexpr float widest_mm = 1e5F;
     glm::vec2 low(std::numeric_limits<float>::max());
     glm::vec2 high(std::numeric_limits<float>::lowest());
     for (const PageTriangle& triangle : triangles) {
@@ -89,7 +91,8 @@ std::optional<ZoneShape> zone_shape(std::span<const PageTriangle> triangles)
     if (triangles.empty() || !(std::max(extent_mm.x, extent_mm.y) > 0.0F)) {
         return std::nullopt;
     }
-    // Nodes have the same distance both ways, so that depths are distances on the page.
+    // Grid points have the same spacing along x and y, so that distances on the grid are proportional to
+    // distances on the page.
     const float node_mm = std::max(extent_mm.x, extent_mm.y) / static_cast<float>(side - 1 - 2 * border);
     ZoneShape shape{.size_mm = glm::vec2(node_mm * static_cast<float>(side - 1))};
     shape.min_mm = 0.5F * (low + high) - 0.5F * shape.size_mm;
@@ -114,7 +117,7 @@ std::optional<ZoneShape> zone_shape(std::span<const PageTriangle> triangles)
     shape.middle_mm = shape.min_mm + node_mm * sum / count;
     shape.radius_mm = node_mm * std::sqrt(count / std::numbers::pi_v<float>);
     shape.field = depths(nodes);
-    // The edge lies half-way between a node within the area and a node outside of it.
+    // The edge of the area lies half-way between a grid point within the area and a grid point outside of it.
     const float deepest = std::max(*std::ranges::max_element(shape.field) - 0.5F, 0.5F);
     for (float& value : shape.field) {
         value = std::clamp(1.0F - (value - 0.5F) / deepest, 0.0F, 1.0F);

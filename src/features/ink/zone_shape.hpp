@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The area that a mesh covers on the page, as an area in which flowing ink is driven.
+// The area that a mesh covers on the page. Flowing ink is moved within this area.
 
 #include <array>
 #include <optional>
@@ -19,15 +19,17 @@ using PageTriangle = std::array<glm::vec2, 3>;
 struct ZoneShape {
     glm::vec2 middle_mm{0.0F}; ///< centre of gravity of the area
     float radius_mm = 0.0F;    ///< radius of a disc of the same area
-    glm::vec2 min_mm{0.0F};    ///< place of the field's first node
-    glm::vec2 size_mm{0.0F};   ///< distance from the field's first node to its last
-    /// shared::ink_shape_side nodes each way, row by row: 0 at the node that lies deepest within the area, 1
-    /// at the area's edge and beyond. Between them a value falls in proportion to the distance to the edge.
+    glm::vec2 min_mm{0.0F};    ///< place of the first grid point of `field`
+    glm::vec2 size_mm{0.0F};   ///< distance from the first grid point of `field` to the last
+    /// Grid of shared::ink_shape_side points along x and y, row by row. The value is 0 at the point deepest
+    /// within the area, and 1 at the area's edge and outside. Between these it is proportional to the
+    /// distance from the deepest level.
     std::vector<float> field;
 };
 
-/// Rasterises triangles and measures how deep each node lies within. None if the triangles cover no node.
-/// Cost: some 300,000 operations, and the number of nodes below the triangles.
+/// Rasterises triangles on a grid, and measures how deep each grid point lies within their union. None if the
+/// triangles cover no grid point. Cost: some 300,000 operations, and the number of grid points in the
+/// triangles.
 [[nodiscard]] std::optional<ZoneShape> zone_shape(std::span<const PageTriangle> triangles);
 
 } // namespace estampe::features

@@ -31,7 +31,8 @@ ViewAnalysis DefaultLight::analysis(const Scene& scene, const light::LightStyle&
     if (!analysis_) {
         cloud_ = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
         analysis_ = analyze_view(*cloud_);
-        // No point was found, because the terrain has no triangles yet.
+        // The scene's surfaces have no points yet, because the terrain has no triangles before the first
+        // picture.
         if (scene.terrain && cloud_->points.empty()) {
             analysis_->wind_towards_deg = scene.terrain->description().wind.towards_deg;
         }
@@ -65,7 +66,7 @@ Groups parse_groups(const std::string& text, const char* key)
     return static_cast<Groups>(bits);
 }
 
-/// The lighting values of the style for one light, node or material.
+/// Values of the section `light` of the style that apply to one light, node or material.
 struct Changes {
     light::LightStyle style;
     std::optional<bool> shadows;          ///< Set if an override sets `light.shadows`
@@ -82,8 +83,8 @@ struct Changes {
     }
 };
 
-/// Returns the groups for which shadows are cast: those of the style, else those of the file; none without
-/// shadows. `shadows = true` casts shadows for all groups if the file casts none.
+/// Returns the light groups for which shadows are cast: the groups of the style, or else those of the file;
+/// none if shadows are turned off. `shadows = true` casts shadows for all groups if the file casts none.
 Groups shadow_groups(Groups of_file, const Changes& changes)
 {
     const std::string& groups = changes.style.changes.shadow_groups;
@@ -123,8 +124,8 @@ void apply(LightLinks& links, const Changes& all)
 
 constexpr const char* light_section = "light";
 
-/// Returns the lighting values of the picture, changed by the overrides of section `light` that `accepts`
-/// selects.
+/// Returns the style's lighting values, changed by those overrides of the section `light` for which `accepts`
+/// returns true.
 template <typename Accepts>
 Changes changes_for(const StyleTables& style, Accepts accepts)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The lights of a picture on the device; the exposure, which adapts from picture to picture; the default
-// light of a scene without lights; and the style's changes to single lights and objects.
+// The lights of a picture on the device, and the style's changes of single lights and objects. Also the
+// exposure, which adapts from picture to picture, and the default light of a scene without lights.
 
 #include <optional>
 #include <span>
@@ -24,9 +24,9 @@ namespace estampe::features {
 /// once, at the first call.
 class DefaultLight {
 public:
-    /// Returns the view analysis that places the default light, for an eye if there is one; empty if the
-    /// style uses the scene's own lights. Cost: the first call costs as much as analyze_view(), a later call
-    /// a millisecond.
+    /// Returns the analysis of the view, by which the default light is placed. It is for the camera's eye if
+    /// an eye is given. Empty if the style uses the scene's own lights. Cost: the first call costs as much as
+    /// analyze_view(), a later call a millisecond.
     [[nodiscard]] ViewAnalysis analysis(const Scene& scene, const light::LightStyle& style,
                                         const std::optional<glm::dvec3>& eye);
 
@@ -49,8 +49,8 @@ class LightingSettings {
 public:
     explicit LightingSettings(const StyleTables& style);
 
-    /// Returns whether the style has the same lighting settings. Does not allocate. Cost: linear in the
-    /// style's overrides.
+    /// Returns whether the lighting settings of `style` are equal to these. Does not allocate memory. Cost:
+    /// linear in the style's overrides.
     [[nodiscard]] bool are_of(const StyleTables& style) const;
 
 private:
@@ -64,7 +64,8 @@ private:
 /// must be built again.
 [[nodiscard]] bool same_links(const LightingOfScene& a, const LightingOfScene& b);
 
-/// Returns whether two lightings are equal, apart from the intensities of lights that are on in both.
+/// Returns whether two lightings are equal, except for the intensities of lights that are on in both
+/// lightings.
 [[nodiscard]] bool same_but_for_brightness(const LightingOfScene& a, const LightingOfScene& b);
 
 /// Sets light intensities. Throws Error if a light does not exist, or if an intensity is negative or not
@@ -86,7 +87,8 @@ void set_lighting(Scene& scene, const LightingOfScene& lighting);
 
 class Lighting final : public Feature {
 public:
-    /// Restarts the adaptation of the exposure when the scene is replaced or a film's state lacks it.
+    /// Makes the adaptation of the exposure start again when the scene is replaced, or when a film's saved
+    /// state has no exposure.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override

@@ -18,7 +18,8 @@ namespace {
 // Place of a mesh in the scene: node, primitive, instance.
 using Place = std::tuple<Index, uint32_t, uint32_t>;
 
-/// Calls `visit` with each triangle's number, its draw call, and its number within that draw call.
+/// Calls `visit` for each triangle, with the triangle's number, its draw call, and its number within the draw
+/// call.
 template <class Visit>
 void visit_triangles(const pose::MeshData& meshes, const Visit& visit)
 {
@@ -178,8 +179,8 @@ float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
     if (!style.balance) {
         return scale;
     }
-    // The style's exposure maps well-lit places to about 1 plus the ambient light. With the lightmap, the
-    // exposure would map these places to 1 plus the lightmap's light.
+    // With the style's exposure, well-lit places have a brightness of about 1 plus the ambient light. With a
+    // lightmap, their brightness would be 1 plus the light of the lightmap.
     const float dimmed = (1.0F + luminance(lighting.ambient)) / (1.0F + scale * baked.level);
     lighting.ambient *= dimmed;
     for (shared::LightRecord& record : lighting.records) {

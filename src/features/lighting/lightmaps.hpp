@@ -37,8 +37,9 @@ struct WornLight {
 /// Returns the BakedLights bit of a light's kind.
 [[nodiscard]] uint32_t kind_of(const shared::LightRecord& record);
 
-/// Prepares a frame's lights for a lightmap: removes lights of the kinds that the map already contains and,
-/// if the style asks for balance, dims the others. Returns the factor for the map's values; 0 without a map.
+/// Prepares a frame's lights for a lightmap: removes lights of the kinds that the map already contains. If
+/// the style asks for balance, also dims the other lights. Returns the factor for the map's values; 0 without
+/// a map.
 [[nodiscard]] float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
                               const lightmap::LightmapStyle& style);
 

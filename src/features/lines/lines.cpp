@@ -110,7 +110,7 @@ std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
     return bodies;
 }
 
-/// Returns for each vertex the diameter of its object in units of the rest pose; the bending of lines is
+/// Returns for each vertex the diameter of its object in the rest pose. The bending of lines is measured
 /// relative to this diameter.
 std::vector<float> sizes_of_objects(const pose::MeshData& layout)
 {
@@ -258,7 +258,8 @@ namespace {
 constexpr uint32_t brush_columns = shared::brush_columns;
 constexpr uint32_t rows = shared::brush_rows;
 constexpr uint32_t seed = 7;
-// Hairs of a brush stroke are finer than in tonal art maps, whose strokes are a few pixels wide.
+// Number that sets how fine the hairs of a brush stroke are. They are finer than in tonal art maps, where a
+// stroke is only a few pixels wide.
 constexpr float hairs = 4.0F;
 
 /// Position along a brush's stroke: either a whole stroke from start to end, or a periodic stroke whose end
@@ -348,8 +349,8 @@ BrushChoice brush_choice(const contour::ContourStyle& style)
     BrushChoice choice{.fit = style.brush_fit};
     for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
         const std::string& own = contour::line_style(style, kind).brush;
-        // Geometric kinds of lines, such as creases, are searched even if the style draws none: a material's
-        // style variant may draw them.
+        // Geometric kinds of lines, such as creases, are searched even if the style itself does not draw
+        // them, because the style variant of a material may draw them.
         const bool is_found = kind < shared::line_marked || contour::has_lines(style, kind);
         if (is_found) {
             choice.brush_of_kind.at(kind) = own.empty() ? style.brush : own;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines from picture to picture: the mesh in which lines are found, the brushes that draw lines, and the
-// lines of the previous frame. This file also clips vector strokes to the page.
+// Contour lines over several pictures: the mesh in which lines are found, the brushes that draw lines, and
+// the lines of the previous frame. This file also clips vector strokes to the page.
 
 #include <array>
 #include <future>
@@ -24,8 +24,8 @@
 
 namespace estampe::features {
 
-/// The parts of a stroke inside the window of the page. A closed stroke that leaves the window becomes
-/// several open strokes. The result is empty for a stroke without length.
+/// Returns the parts of a stroke that lie inside the window of the page. A closed stroke that leaves the
+/// window becomes several open strokes. The result is empty for a stroke without length.
 [[nodiscard]] std::vector<VectorStroke> clipped(const VectorStroke& stroke, const paper::Window& window);
 
 /// The mesh in which the lines of one scene are found. The mesh is made when lines are first drawn as chains
@@ -33,14 +33,14 @@ namespace estampe::features {
 class LineMeshes {
 public:
     /// Returns the line mesh for `style`; null if lines are not drawn as chains (linked edges of the mesh).
-    /// Costs nothing if neither meshes nor style changed; otherwise linear in triangles. Throws Error if
-    /// memory runs out.
+    /// Cost: none if neither meshes nor style changed, otherwise linear in triangles. Throws Error if memory
+    /// runs out.
     [[nodiscard]] contour::LineMesh* ensure(gpu::Device& device, const pose::MeshData& layout,
                                             const contour::ContourStyle& style);
 
     /// Starts to find the mesh's edges in another thread, because this part of ensure() needs no device. No
-    /// other function may be called before the future is ready. The future is invalid if there is nothing to
-    /// do.
+    /// other function may be called before the future is ready. The returned future is invalid if the edges
+    /// are already known.
     [[nodiscard]] std::future<void> find_edges(const pose::MeshData& layout,
                                                const contour::ContourStyle& style);
 
@@ -62,7 +62,7 @@ private:
     void make_lines(gpu::Device& device, const pose::MeshData& layout, const Choice& choice);
 
     std::optional<contour::EdgeMesh> edges_;
-    /// Bending of the surfaces; only computed if some kind of line needs it.
+    /// For each vertex: how the surface bends there. Only computed if some kind of line needs it.
     std::optional<std::vector<contour::Bending>> bendings_;
     std::optional<Choice> choice_; ///< Choice of lines for which `lines_` was made
     std::optional<contour::LineMesh> lines_;
@@ -74,8 +74,8 @@ private:
 
 /// The settings on which the brushes of a style depend.
 struct BrushChoice {
-    /// Brush of each kind of line: a name of contour::brush_names() or a path. Empty: the pen, or a kind of
-    /// line that is not searched.
+    /// Brush of each kind of line: a name of contour::brush_names(), or the path of a picture. Empty: the
+    /// line is drawn by the pen, or is not searched.
     std::array<std::string, shared::line_kind_count> brush_of_kind;
     contour::BrushFit fit = contour::BrushFit::repeat;
     float dash_mm = 0.0F; ///< Length of the dashes of hidden lines; 0: no dashes
@@ -112,18 +112,18 @@ struct LinkedPart {
     contour::PartOfPage part;
 };
 
-/// How to draw the lines of one sample of a picture.
+/// The settings for drawing the lines of one sample of a picture.
 struct LineJob {
     const contour::ContourStyle& style;    ///< Lines of all style variants, see StyleVariants::lines
     bool has_cuts = false;                 ///< A texture cuts holes into some triangles
     bool remembers = false;                ///< Lines continue those of the previous frame
-    std::optional<LinkedPart> linked = {}; ///< Lines that are drawn instead of searching for lines
+    std::optional<LinkedPart> linked = {}; ///< Lines that are already linked; if set, no lines are searched
 };
 
 class Lines final : public Feature {
 public:
-    /// Forgets the line mesh when triangles change, and the previous frame's lines when the scene, the
-    /// ground's triangles or the origin change.
+    /// Forgets the line mesh when triangles change. Forgets the previous frame's lines when the scene, the
+    /// ground's triangles or the origin of positions change.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"lines", 1}; }
@@ -131,8 +131,8 @@ public:
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;
 
-    /// Makes the line mesh and the brushes for `style`. Costs nothing if neither triangles nor style
-    /// changed; otherwise linear in triangles. Throws Error if a brush cannot be read.
+    /// Makes the line mesh and the brushes for `style`. Cost: none if neither triangles nor style changed,
+    /// otherwise linear in triangles. Throws Error if a brush cannot be read.
     void ensure(gpu::Device& device, const pose::MeshData& layout, const contour::ContourStyle& style);
 
     /// Draws lines where surfaces end, meet or fold: as chains of mesh edges, or by comparing pixels.
@@ -156,8 +156,8 @@ public:
 
     [[nodiscard]] contour::LineHistory& history() { return history_; }
 
-    /// Returns the buffer with one VariantLines of the contour technique per style variant, if there are
-    /// several.
+    /// Returns the buffer with one VariantLines (widths and inks of lines) per style variant; only filled if
+    /// there are several variants.
     [[nodiscard]] gpu::Buffer& variants() { return variants_; }
 
     /// Returns the buffer with one FocusLine for each line that points at the centre of interest.
@@ -166,8 +166,8 @@ public:
 private:
     LineMeshes meshes_;
     LineBrushes brushes_;
-    contour::LineMesh* mesh_ = nullptr;            ///< The line mesh, owned by `meshes_`
-    contour::BrushImages* brush_images_ = nullptr; ///< The brushes, owned by `brushes_`
+    contour::LineMesh* mesh_ = nullptr;            ///< The line mesh; the member `meshes_` owns it
+    contour::BrushImages* brush_images_ = nullptr; ///< The brushes; the member `brushes_` owns them
     contour::LineHistory history_;
     gpu::Buffer variants_;
     gpu::Buffer focus_lines_;

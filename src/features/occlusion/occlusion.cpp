@@ -17,14 +17,14 @@ std::vector<glm::vec3> colors_of_vertices(const pose::MeshData& layout,
         const glm::vec3 mean = materials.records[draw.material].mean_color;
         for (uint32_t i = 0; i < draw.vertex_count; ++i) {
             const glm::vec4 own = glm::unpackUnorm4x8(layout.rest_vertices[draw.first_rest_vertex + i].color);
-            // The mean is stored as a square root.
+            // The mean colour is stored as a square root, so it is squared here.
             colors[draw.first_posed_vertex + i] = mean * glm::vec3(own * own);
         }
     }
     return colors;
 }
 
-/// Collects all surfaces that can occlude: all except blank ground and terrain.
+/// Collects all surfaces that can occlude others: all surfaces except blank ground and terrain.
 occlusion::OccluderMesh occluders_of(const pose::MeshData& layout, const surface::MaterialBuffers& materials)
 {
     occlusion::OccluderMesh occluders{.places = layout.stroke_coordinates,

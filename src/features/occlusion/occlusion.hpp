@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ambient occlusion from picture to picture: the data about the scene's surfaces that its method keeps.
+// Ambient occlusion over several pictures: data about the scene's surfaces that the occlusion method keeps
+// from one picture to the next.
 
 #include <optional>
 
@@ -19,7 +20,7 @@ public:
     void invalidate(Event event) override;
 
     /// Makes the data about surfaces that the style's occlusion method keeps. Leaves out blank ground and
-    /// terrain. Costs nothing if the data exists; otherwise n log n in vertices.
+    /// terrain. Cost: none if the data exists, otherwise n log n in vertices.
     void prepare(gpu::Device& device, const pose::MeshData& layout, const surface::MaterialBuffers& materials,
                  const occlusion::OcclusionStyle& style);
 

@@ -22,7 +22,8 @@ constexpr uint32_t frames_a_side = 6;
 constexpr float lasts_s = 4.0F;
 constexpr uint32_t step_count = 240;
 
-/// Density and temperature of the smoke at the first frame: one lobed puff low in the middle.
+/// Density and temperature of the smoke at the first frame: one puff with a lobed outline, in the lower
+/// middle of the frame.
 std::vector<float> first_puff()
 {
     std::vector<float> density;
@@ -51,7 +52,7 @@ fluid::FluidStyle smoke_style()
     return style;
 }
 
-/// Copies a frame of the smoke to its place on the sprite sheet, with y upward.
+/// Copies one frame of the simulated smoke to its place on the sprite sheet, with y upward.
 void copy_frame(const std::vector<float>& quantities, uint32_t frame, particles::SheetImage& sheet)
 {
     const glm::uvec2 from = cells_a_side * glm::uvec2(frame % frames_a_side, frame / frames_a_side);
@@ -104,7 +105,7 @@ particles::Emitter emitter_at(const glm::dmat4& world_from_node)
             .size = glm::length(up)};
 }
 
-/// Earlier poses of the scene, each computed once for all particle emitters.
+/// Poses of the scene at earlier times. Each pose is computed only once and used by all particle emitters.
 class Past {
 public:
     static constexpr double step_s = 0.15;
@@ -114,7 +115,7 @@ public:
     [[nodiscard]] const ScenePose& before(size_t steps)
     {
         while (poses_.size() < steps) {
-            // Animations do not start before 0, but transforms of placed nodes may have been recorded at
+            // Animations have no time before 0, but placed nodes may have transforms that were recorded for
             // earlier times.
             const double then_s = in_.settings.time_s - static_cast<double>(poses_.size() + 1) * step_s;
             poses_.push_back(in_.pose_at(!in_.are_nodes_placed ? std::max(then_s, 0.0) : then_s));
@@ -150,7 +151,7 @@ void look_back(std::vector<particles::Emitter>& emitters, const std::vector<size
     }
 }
 
-/// Particle emitters that share a style variant.
+/// Particle emitters that have the same style variant.
 struct EmitterGroup {
     const particles::ParticleStyle* style = nullptr;
     std::vector<size_t> nodes;

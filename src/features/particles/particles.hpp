@@ -3,7 +3,7 @@
 
 // Finds the nodes that emit particles and plans their sprites on the page. The smoke puff of a sprite is
 // simulated once and stored as frames. Section 6.5 of the thesis (Zanuttini, 2008) calls this a mixed
-// technique: one small simulation is shown on dozens of sprites.
+// technique, because one small simulation is shown on dozens of sprites.
 
 #include <functional>
 #include <span>
@@ -52,12 +52,12 @@ public:
     void invalidate(Event event) override;
 
     /// Plans the particles of a picture, one plan per style variant, and uploads their buffers; empty if no
-    /// node emits. Throws Error if a sprite sheet cannot be read.
+    /// node emits particles. Throws Error if a sprite sheet cannot be read.
     [[nodiscard]] std::vector<particles::ParticlePlan> plan(gpu::Device& device, gpu::Executor& executor,
                                                             const ParticlePlanInputs& in);
 
-    /// Draws the planned particles over the layers, one plan after the other. `in` holds the page's inputs,
-    /// which all plans share.
+    /// Draws the particles of all plans over the colour and ink layers, one plan after the other. `in` holds
+    /// the page's inputs, which all plans share.
     [[nodiscard]] particles::ParticleLayers record(gpu::Graph& graph,
                                                    std::span<const particles::ParticlePlan> plans,
                                                    const particles::ParticleInputs& in,
@@ -65,7 +65,7 @@ public:
 
 private:
     std::vector<ParticleBuffers> buffers_; ///< Buffers of the particle plans, in the same order
-    std::string patterns_;                 ///< The style's patterns by which `emitting_` was found
+    std::string patterns_; ///< The style's patterns with which the nodes in `emitting_` were found
     std::vector<size_t> emitting_;
 };
 

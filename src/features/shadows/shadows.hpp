@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The shadows of a scene from picture to picture: the terrain's shadow; the shadow maps of local lights,
-// with the choice of lights, sizes and passes; and, in sun.hpp, the sun's shadow map.
+// The shadows of a scene over several pictures: the shadow of the terrain, and the shadow maps of local
+// lights (which lights get maps, how large, drawn by which passes). The sun's shadow map is in sun.hpp.
 
 #include <optional>
 #include <span>
@@ -46,14 +46,14 @@ struct GroundShadowScene {
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
     bool is_thrown = false;
     uint32_t page_height_px = 0;
-    gpu::ExecutionProfile execution; ///< Execution profile of the device that computes the shadow
+    gpu::ExecutionProfile execution; ///< Kind of device that computes the shadow: CPU or GPU
     double relief_m = 0.0;           ///< Height difference of ground and objects, see GroundShadowPlan
 };
 
-/// Plans the height fields around the camera, from which the terrain's shadow is computed. A CPU finds their
-/// horizons by sweeps, which need the least work. A GPU uses pyramids instead, because sweeps have too few
-/// parallel threads. On a small page each field extends half as far: a pixel there is as large as one of a
-/// large page at twice the distance.
+/// Plans the height fields around the camera, from which the terrain's shadow is computed. On a CPU, horizons
+/// are found by sweeps over the field, which need the least work. On a GPU, pyramids (coarser copies of the
+/// field) are used, because sweeps have too few parallel threads. On a small page each field is half as wide,
+/// because its pixels are as large as those of a large page at twice the distance.
 [[nodiscard]] GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene,
                                                   const shadow::ShadowStyle& style);
 
@@ -69,14 +69,14 @@ struct GroundShadowInputs {
 
 /// Keeps fields of the terrain's heights and horizons between pictures. A field is computed again when it
 /// moves with the eye, or when the sun or the ground changes. While sun or ground keep changing, the pyramid
-/// method computes only the part that the picture looks up.
+/// method computes only the part of the field that the picture needs.
 class GroundShadow {
 public:
     void forget() { held_.reset(); }
 
     /// Allocates the buffer of height fields for `plan`.
     void ensure(gpu::Device& device, const GroundShadowPlan& plan);
-    /// Updates the height fields, and returns the visible share of the sun at each pixel.
+    /// Updates the height fields, and returns an image with the visible share of the sun at each pixel.
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
                                       const GroundShadowInputs& in);
     /// Records that the height fields of `plan` have been computed.
@@ -88,24 +88,24 @@ private:
         uint64_t form = 0; ///< Number that identifies the terrain's shape
     };
 
-    /// Returns whether a field's position is the same as in the last picture.
+    /// Returns whether a height field has the same position as in the last picture.
     [[nodiscard]] bool stands(const GroundShadowPlan& plan, uint32_t level) const;
 
     [[nodiscard]] bool is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const;
 
     gpu::Buffer kept_;
     std::optional<Held> held_;
-    bool is_in_part_ = false; ///< The height fields are valid only where the last picture looked them up
+    bool is_in_part_ = false; ///< Only those parts of the height fields are valid that the last picture used
 };
 
 /// Returns the properties of a local light on which its shadow maps depend. The range is rounded up in steps,
-/// so that small exposure changes do not make the maps obsolete.
+/// so that the maps stay valid when the exposure changes slightly.
 [[nodiscard]] shadow::LocalLight local_light(const shared::LightRecord& record);
 
 /// Radius of the light's sphere in metres: the light's own radius, or otherwise the style's.
 [[nodiscard]] float radius_of(const shared::LightRecord& record, const shadow::ShadowStyle& style);
 
-/// Eye and resolution of the page, by which the size of a lamp's shadow map is chosen.
+/// The eye and the resolution of the page. They determine the size of a lamp's shadow map.
 struct PageView {
     glm::vec3 eye_anchor{0.0F};
     PixelSize pixel;
@@ -113,9 +113,10 @@ struct PageView {
     uint32_t longer_side_px = 1;
 };
 
-/// Returns a light's request for space in the shadow atlas: as many texels as its shadow covers pixels,
-/// limited to the style's size. If the style sets no size, the limit is half the page for a point light and
-/// the whole page for a spot. The importance grows with the share of the page that the light reaches.
+/// Returns a light's request for space in the shadow atlas: as many texels as the light's shadows cover
+/// pixels, but at most the size in the style. If the style sets no size, the limit is half the page for a
+/// point light and the whole page for a spot. The importance grows with the share of the page that the light
+/// reaches.
 [[nodiscard]] shadow::AtlasRequest atlas_request(const shared::LightRecord& record,
                                                  const shadow::LocalLight& light, const PageView& page,
                                                  const shadow::ShadowStyle& style);
@@ -124,12 +125,12 @@ struct PageView {
 void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
                const shared::LocalShadow& shadow);
 
-/// Views that draw obsolete shadow maps, in one list per drawing method. Each list is placed by
+/// Views (from lights) that draw obsolete shadow maps, in one list per drawing method. Each list is placed by
 /// raster::place_views().
 struct LocalMapViews {
     std::vector<shared::RasterView> whole; ///< Views that draw all shadow casters
     std::vector<shared::RasterView> still; ///< Views that draw static shadow casters into a separate layer
-    /// Views that draw moving shadow casters and merge them with the layer of static ones.
+    /// Views that draw moving shadow casters and merge them with the layer of static casters.
     std::vector<shared::RasterView> moving;
 
     [[nodiscard]] bool empty() const { return whole.empty() && still.empty() && moving.empty(); }
@@ -152,10 +153,10 @@ struct LocalMapPlan {
 
 /// The local lights' shadow maps of one frame.
 struct LocalShadowPlan {
-    /// Shadow maps of the lights; LightRecord::shadow is an index into them, from 1.
+    /// Shadow maps of the lights; LightRecord::shadow is an index of this list, counted from 1.
     std::vector<shared::LocalShadow> shadows;
     LocalMapViews views;
-    uint64_t texel_count = 0; ///< Texels in the buffer of all shadow maps
+    uint64_t texel_count = 0; ///< Number of texels in the buffer of all shadow maps
     size_t without = 0;       ///< Number of lights that cast shadows but got no shadow map
 };
 
@@ -164,13 +165,14 @@ class LocalShadows {
 public:
     /// Plans the shadow maps and sets `shadow` in the lights' records. `moved` lists boxes of moved objects,
     /// before and after the move. If casters move within reach of an unchanged light, its static casters get
-    /// a layer in a second buffer, as large as the buffer of the maps. `shadow.local_megatexels` limits the
-    /// maps. The result is valid until the next call. Cost: linear in lights and moved objects.
+    /// a layer of their own in a second buffer, which is as large as the buffer of the maps.
+    /// `shadow.local_megatexels` limits the size of the maps. The result is valid until the next call. Cost:
+    /// linear in lights and moved objects.
     [[nodiscard]] const LocalShadowPlan& plan(light::Lighting& lighting, std::span<const Bounds> moved,
                                               const PageView& page, const shadow::ShadowStyle& style,
                                               const CasterKinds& casters = {});
 
-    /// Makes all shadow maps and layers obsolete, for another scene or buffer.
+    /// Makes all shadow maps and layers obsolete. Call this for another scene or another buffer.
     void forget() { kept_.clear(); }
 
 private:
@@ -182,7 +184,8 @@ private:
 
     shadow::Atlas atlas_;
     std::vector<Kept> kept_; ///< Content of the shadow maps, per local light
-    LocalShadowPlan plan_;   ///< Plan of the last picture, kept for its memory, as are the next two members
+    /// Plan of the last picture; its memory is reused, like that of the next two members.
+    LocalShadowPlan plan_;
     std::vector<shadow::LocalLight> lights_;
     std::vector<shadow::AtlasRequest> requests_;
 };
@@ -198,7 +201,7 @@ struct LocalViewBuffers {
 struct LocalShadowBuffers {
     gpu::Buffer shadows; ///< Buffer of the shadow maps' descriptions: one LocalShadow per light that has maps
     gpu::Buffer maps;    ///< Texels of the shadow maps, kept from frame to frame
-    gpu::Buffer layers;  ///< Texels of the layers of static casters; empty if no light keeps them apart
+    gpu::Buffer layers;  ///< Texels of the layers of static casters; empty if no light has such a layer
     LocalViewBuffers views;
 };
 
@@ -232,15 +235,15 @@ struct ShadowMapWork {
 
 class Shadows final : public Feature {
 public:
-    /// Makes shadow maps obsolete when the scene, its lights or the origin change.
+    /// Makes shadow maps obsolete when the scene, its lights or the origin of positions change.
     void invalidate(Event event) override;
 
     /// Records that an object moved between these boxes (relative to the scene's anchor), so that shadow maps
-    /// there are drawn again.
+    /// are drawn again where the boxes are.
     void move(std::span<const Bounds> places);
 
     /// Plans the shadow maps of local lights, sets `shadow` in the lights' records, and allocates buffers.
-    /// Reports in `notes` how many lights get no map.
+    /// Adds a note to `notes` that says how many lights get no map.
     [[nodiscard]] LocalMapPlan ensure_local_maps(gpu::Device& device, light::Lighting& lighting,
                                                  const LocalMapScene& scene, std::vector<std::string>& notes);
 

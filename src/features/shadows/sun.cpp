@@ -84,9 +84,11 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
                         std::vector<raster::Batch>& batches)
 {
     const size_t first = batches.size();
-    // One value per batch: the gap before it contains triangles that must not be drawn.
+    // One value per batch of triangles: true if triangles that must not be drawn lie before it, so that it
+    // cannot be merged with the batch before.
     std::vector<bool> bars;
-    uint32_t passed_triangles = 0; // Number of triangles of casters outside the piece, since the last batch
+    // Number of triangles since the last batch whose casters lie outside the piece.
+    uint32_t passed_triangles = 0;
     for (const StillCaster& caster : still) {
         if (!caster.place.empty() && !is_within(caster.place, anchor, clipmap, piece)) {
             passed_triangles += caster.range.count;
@@ -144,7 +146,8 @@ uint32_t whole_size(const StyleTables& style, glm::uvec2 size_px)
                : std::clamp(std::bit_ceil(std::max(size_px.x, size_px.y)), 512U, 4096U);
 }
 
-/// Approximate distance from the eye to the nearest shadow caster, horizontally or down to the lowest one.
+/// Approximate distance from the eye to the nearest shadow caster: the horizontal distance, or the height
+/// above the lowest caster.
 double nearest_m(const Bounds& casters, const glm::dvec3& eye)
 {
     const double beside = glm::distance(glm::clamp(eye, casters.min, casters.max), eye);
@@ -153,8 +156,8 @@ double nearest_m(const Bounds& casters, const glm::dvec3& eye)
 }
 
 /// Returns the shadow casters' box, rounded to a coarse lattice and extended around the static casters.
-/// Motion within the box changes neither the box nor the shadow map. Motion beyond the box seldom changes
-/// them.
+/// Motion within the box changes neither the box nor the layout of the shadow map, and motion beyond the box
+/// changes them seldom.
 Bounds roomy(const SunScene& scene)
 {
     const Bounds& middle = scene.still.empty() ? scene.casters : scene.still;
@@ -164,8 +167,8 @@ Bounds roomy(const SunScene& scene)
             .max = glm::ceil(glm::max(scene.casters.max, middle.max + about_m) / pitch_m) * pitch_m};
 }
 
-/// Returns one view per square of the shadow map, for raster::add_depth_views(). The texels of a whole level
-/// are rotated to the level's own layout.
+/// Returns one view per square of the shadow map, for raster::add_depth_views(). If a square is a whole
+/// level, its texels are shifted cyclically to the level's own layout.
 std::vector<shared::RasterView> views_of(std::span<const shadow::Piece> squares,
                                          const shadow::Clipmap& clipmap, Groups groups)
 {
@@ -243,7 +246,8 @@ SunMapWork SunMap::ensure(gpu::Device& device, const SunMapPlan& plan, const Sun
     }
     layout_ = casters.layout;
     const bool stands = plan.size > 0 && view_ == plan.view.clip_from_anchor;
-    // If the sun moves in every picture, a separate map of static casters would never be reused.
+    // If the sun moves in every picture, static casters get no separate map, because such a map would never
+    // be reused.
     const bool had_still = has_still_ && (stands || stood_);
     stood_ = stands;
     has_still_ = plan.clipmap && casters.are_parted && (had_still || (stands && !moved_.empty()));
@@ -281,7 +285,7 @@ void SunMap::ensure_moving(gpu::Device& device, const SunMapPlan& plan, SunMapWo
     }
     shadow::list_tiles(clipmap, work.squares, moved_, work.pieces, tile_list_);
     work.tile_count = static_cast<uint32_t>(tile_list_.size());
-    // The buffer has room for all tiles, since their number changes in every frame.
+    // The buffer has room for all tiles, because the number of tiles that are used changes in every frame.
     const uint64_t side_tiles = clipmap.size / shared::square_tile_texels;
     const uint64_t tiles_bytes = sizeof(uint32_t) * clipmap.level_count * side_tiles * side_tiles;
     if (tiles_.empty() || tiles_.size_bytes() != tiles_bytes) {
@@ -311,13 +315,14 @@ bool counts(const pose::CasterRun& run, Casters which)
 struct PieceDrawing {
     const ShadowScene& scene;
     raster::RasterInputs by_sun;
-    std::span<const raster::Batch> casters; ///< Runs of triangles of moving casters
+    std::span<const raster::Batch> casters; ///< Moving shadow casters, as runs of triangles
     const shadow::Clipmap& clipmap;
     const SunMapWork& work;
 
     [[nodiscard]] std::vector<raster::Batch> casters_of(const shadow::Piece& piece) const
     {
-        // Limits the number of batches: a batch costs a GPU several dispatches, but a CPU almost nothing.
+        // Limits the number of batches of triangles. A batch costs several dispatches on a GPU, but almost
+        // nothing on a CPU.
         const size_t most = scene.path == RasterPath::compute ? 6 : 24;
         std::vector<raster::Batch> batches;
         if (!work.has_still) {
@@ -347,8 +352,8 @@ struct PieceDrawing {
 
 SunCasters sun_casters(const pose::MeshData& layout, uint32_t layout_number, Groups groups, RasterPath path)
 {
-    // The hardware rasteriser's depths differ in their last bits between views. With that rasteriser,
-    // separate layers would make a continued film differ from an uninterrupted one.
+    // Depths of the hardware rasteriser differ in their last bits between views. If static casters had a
+    // separate layer, a continued film would then differ from an uninterrupted film.
     const CasterKinds kinds = caster_kinds(layout);
     const bool by_compute = path == RasterPath::compute;
     return {.layout = layout_number,
@@ -383,7 +388,7 @@ gpu::BufferId SunMap::record(gpu::Graph& graph, const ShadowScene& scene, const 
                              const SunMapWork& work)
 {
     const gpu::BufferId map = gpu::import_whole(graph, "shadow", map_);
-    // The ground receives shadows but casts none.
+    // The blank ground receives shadows but does not cast any.
     list_casters(scene.layout, work.groups, plan.clipmap ? Casters::moving : Casters::all, casters_);
     const raster::View view{.clip_from_anchor = plan.view.clip_from_anchor,
                             .size_px = glm::uvec2(plan.size),
@@ -417,8 +422,8 @@ gpu::BufferId SunMap::record(gpu::Graph& graph, const ShadowScene& scene, const 
             scene.tuning),
         .path = scene.path,
         .tuning = scene.tuning};
-    // Draws all levels of the clipmap as views in one pass, instead of preparing, batching and copying each
-    // level. The last piece is the coarsest level, whose window contains the others.
+    // Draws all levels of the clipmap as views in one pass, which saves preparing, batching and copying each
+    // level. The last piece is the coarsest level; its window contains the windows of all other levels.
     drawn = work.draws_levels ? raster::add_depth_views(graph, "shadow", drawing.by_sun,
                                                         drawing.casters_of(work.pieces.back()), views, drawn)
                               : drawing.add(graph, view, drawn);

@@ -36,8 +36,8 @@ struct StillCaster {
 [[nodiscard]] std::vector<StillCaster> still_casters(const pose::MeshData& layout, const Scene& scene);
 
 /// Appends the shadow casters of `still` that may be visible in a piece of the clipmap, as at most `most`
-/// batches, or more if there are more kinds of casters. To merge batches, the triangles in short gaps between
-/// them are drawn too. Cost: linear in draw calls.
+/// batches of triangles (more only if there are more kinds of casters). Batches are merged by drawing also
+/// the triangles in short gaps between them. Cost: linear in draw calls.
 void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipmap, const glm::dvec3& anchor,
                         std::span<const StillCaster> still, Groups groups, size_t most,
                         std::vector<raster::Batch>& batches);
@@ -53,11 +53,11 @@ struct SunScene {
     uint64_t most_bytes = 1ULL << 27U; ///< Largest size of a buffer on the device
 };
 
-/// The layout of the sun's shadow map.
+/// Size and layout of the sun's shadow map.
 struct SunMapPlan {
     uint32_t size = 0; ///< Texels per side of the shadow map; 0: no shadow
     shadow::SunView view;
-    /// Shadow map in levels around the eye, which replaces the single map of `view`.
+    /// Clipmap (shadow map in levels around the eye); if set, it is used instead of the single map of `view`.
     std::optional<shadow::Clipmap> clipmap;
     shadow::Windows windows; ///< Windows of the clipmap's levels
     uint32_t variant = 0;    ///< Method by which shaders look up the map, see shaders/light_variant.glsl.h
@@ -68,12 +68,13 @@ struct SunMapWork {
     Groups groups = all_groups; ///< Groups of casters that block the sun
     bool redraws_whole = false;
     std::vector<shadow::Piece> pieces; ///< Pieces of the clipmap that are not drawn yet
-    bool draws_levels = false;         ///< `pieces` are all levels of the clipmap, which are drawn together
+    bool draws_levels = false; ///< `pieces` contains all levels of the clipmap, which are drawn together
     /// Static casters have a shadow map of their own, and `pieces` belong to that map.
     bool has_still = false;
     /// Squares of the shadow map that moving casters may change; only used if `has_still`.
     std::vector<shadow::Piece> squares;
-    /// Views of the squares, or of the levels; if both exist, their views are equal.
+    /// Views from the sun, one for each of the squares or of the levels. If there are squares and levels,
+    /// their views are equal.
     std::vector<shared::RasterView> views;
     uint32_t tile_count = 0; ///< Number of tiles in the squares that may change
 };
@@ -84,7 +85,7 @@ struct SunCasters {
     uint32_t layout = 0;
     Groups groups = all_groups;
     bool by_compute = false;
-    bool are_parted = false; ///< Moving casters are drawn apart from static casters
+    bool are_parted = false; ///< Moving casters are drawn separately from static casters
 };
 
 /// Describes the shadow casters of a scene with the layout `layout_number`, whose maps are drawn by `path`.
@@ -101,7 +102,7 @@ struct CasterKinds {
 
 [[nodiscard]] CasterKinds caster_kinds(const pose::MeshData& layout);
 
-/// Fills `batches` with the shadow casters of these groups, as runs of triangles.
+/// Fills `batches` with the shadow casters of the given light groups, as runs of triangles.
 void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
                   std::vector<raster::Batch>& batches);
 
@@ -112,7 +113,8 @@ struct ShadowScene {
     std::span<const StillCaster> still; ///< Static shadow casters of `layout`
     /// Bounding boxes of clusters of triangles; required if local maps are obsolete.
     std::optional<gpu::BufferId> cluster_bounds = std::nullopt;
-    RasterPath path = RasterPath::compute; ///< Path by which shadow maps are rasterised; never automatic
+    /// Path by which shadow maps are rasterised; never RasterPath::automatic.
+    RasterPath path = RasterPath::compute;
     raster::Tuning tuning = {};
 };
 
@@ -122,7 +124,7 @@ struct ShadowScene {
 [[nodiscard]] SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,
                                       const PixelSize& pixel, const StyleTables& style);
 
-/// Returns the constants by which the light shader looks up the sun's shadow map.
+/// Returns the constants with which the light shader reads the sun's shadow map.
 [[nodiscard]] shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
                                             const shadow::ShadowStyle& style);
 
@@ -133,7 +135,7 @@ public:
     void forget() { view_.reset(); }
 
     /// Records that an object moved between these boxes (relative to the scene's anchor), so that the shadow
-    /// map there is drawn again.
+    /// map is drawn again where the boxes are.
     void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
 
     /// Allocates the shadow map for `plan`, and returns the parts of the map to draw. If an object moves
@@ -145,35 +147,37 @@ public:
 
     /// Draws the parts of the sun's shadow map that are listed in `work`, and returns the map.
     ///
-    /// Cost    nothing if nothing must be drawn. Otherwise raster::add_depth(), for a clipmap once per piece
-    ///         with only the static casters of the piece, or in compute raster::add_depth_views() for all
-    ///         levels. With a map of static casters, moving casters are drawn and merged, too, at their
-    ///         previous and current places
+    /// Cost    nothing if nothing must be drawn. Otherwise raster::add_depth(); for a clipmap once per piece
+    ///         with the static casters of the piece, or on the compute path raster::add_depth_views() for
+    ///         all levels. If static casters have a map of their own, moving casters are also drawn and
+    ///         merged into the map, at their previous and current places
     [[nodiscard]] gpu::BufferId record(gpu::Graph& graph, const ShadowScene& scene, const SunMapPlan& plan,
                                        const SunMapWork& work);
 
     [[nodiscard]] gpu::Buffer& buffer() { return map_; }
 
-    /// Returns the depths of moving casters in the tiles that were drawn; other tiles hold old data.
+    /// Returns the buffer with the depths of moving casters. Only tiles that were drawn are valid; other
+    /// tiles hold old data.
     [[nodiscard]] gpu::Buffer& pictures() { return pictures_; }
 
 private:
     /// Plans the views and tiles of moving shadow casters, to be merged over the static map.
     void ensure_moving(gpu::Device& device, const SunMapPlan& plan, SunMapWork& work);
-    /// Draws the moving shadow casters, and merges them with the static casters' map `still` into `map`.
+    /// Draws the moving shadow casters and merges them with `still`, the map of static casters. The result is
+    /// written to `map`.
     gpu::BufferId add_moving(gpu::Graph& graph, const raster::RasterInputs& by_sun,
                              const shadow::Clipmap& clipmap, const SunMapWork& work, raster::DepthViews views,
                              gpu::BufferId still, gpu::BufferId map);
 
     gpu::Buffer map_;
-    gpu::Buffer still_; ///< Map of the static casters alone, if they are kept apart
+    gpu::Buffer still_; ///< Map of the static casters alone; empty if they have no separate map
     gpu::Buffer views_; ///< Views from which the parts of the map are drawn
     gpu::Buffer pictures_;
     gpu::Buffer tiles_; ///< Tiles of `pictures_` in which the map changes
     std::vector<uint32_t> tile_list_;
     std::vector<raster::Batch> casters_; ///< List of casters, kept to reuse its memory
-    bool has_still_ = false;             ///< The static casters' map is valid wherever the whole map is
-    bool stood_ = false;                 ///< The sun was unchanged at the last ensure()
+    bool has_still_ = false;             ///< The map of static casters is valid where the whole map is valid
+    bool stood_ = false;                 ///< The sun had not moved at the last call of ensure()
     std::vector<Bounds> moved_;
     uint32_t layout_ = 0;
     std::optional<glm::mat4> view_; ///< View from which the map was drawn; none if the map is obsolete

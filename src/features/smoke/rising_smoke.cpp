@@ -20,10 +20,10 @@ namespace estampe::features {
 namespace {
 
 constexpr double longest_gap_s = 1.0;
-// Simulated time per picture by which smoke that starts during a film catches up.
+// Time that is simulated per picture, until smoke that starts during a film has reached the film's time.
 constexpr double caught_up_s = 0.25;
 
-/// Returns the grid size in cells: the powers of two nearest to the proportions of the smoke's box.
+/// Returns the grid size in cells: powers of two whose proportions are nearest to those of the smoke's box.
 glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
 {
     constexpr double fewest = 8.0;
@@ -73,7 +73,7 @@ struct StepsLeft {
     uint32_t count = 0;
 };
 
-/// The simulation of the smoke in a box over a period.
+/// The inputs for simulating the smoke in a box over a period of time.
 struct Rise {
     const smoke::Box& box;
     const smoke::SmokeStyle& style;
@@ -88,8 +88,8 @@ struct Risen {
     StepsLeft left;
 };
 
-/// Runs all steps of the simulation except those that fit into the picture's own graph. If steps are
-/// measured, runs all.
+/// Runs the steps of the simulation, except for the last ones, which run in the picture's own graph. If the
+/// solver is measured, all steps run here.
 Risen let_rise(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter, const Rise& rise)
 {
     const auto count =
@@ -113,7 +113,7 @@ Risen let_rise(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter, cons
     return {.report = meter.report(), .left = {solver, left}};
 }
 
-/// Moves the patterns of puffs and strokes in the smoke along with the wind and the rising air.
+/// Moves the random patterns of puffs and strokes in the smoke with the wind and the rising air.
 void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
 {
     const Draught draught = draught_of(box, style);
@@ -157,19 +157,19 @@ struct RisingSmoke::Column {
     float cell_m = 1.0F;
     double time_s = 0.0;
     double behind_s = 0.0;               ///< Time by which the smoke is behind the last picture's time
-    Kept recalled;                       ///< Saved state of the smoke, until the fluid is made from it
+    Kept recalled;                       ///< Saved state of the smoke; used when the simulation is created
     std::unique_ptr<fluid::Fluid> fluid; ///< Simulation of the smoke; made when it is first used
     std::optional<SolverReport> solver_report = {};
-    StepsLeft left = {}; ///< Steps for the next graph that uses the fluid
+    StepsLeft left = {}; ///< Steps that run in the next graph that uses the fluid
 
-    /// Returns the simulated smoke at time_s. Call at most once per graph.
+    /// Returns the smoke simulated up to time_s. Call this function at most once per graph.
     [[nodiscard]] fluid::FluidFields add(gpu::Graph& graph)
     {
         const StepsLeft now = std::exchange(left, {});
         return fluid->add_steps(graph, now.style, now.count);
     }
 
-    /// Runs the remaining steps of the smoke if no picture's graph has run them.
+    /// Runs the remaining steps of the smoke, if no picture's graph has run them.
     void catch_up(gpu::Executor& executor)
     {
         if (left.count > 0) {

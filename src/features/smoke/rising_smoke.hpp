@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Rising smoke from picture to picture: the boxes in which smoke rises, and the simulation state of each box.
+// Rising smoke over several pictures: the boxes in which smoke rises, and the state of the simulation in each
+// box.
 
 #include <memory>
 #include <optional>
@@ -23,8 +24,8 @@ class Fluid;
 
 namespace estampe::features {
 
-/// Converts the scene's lights for smoke. If there is a sun shadow map, the first light uses it when it is
-/// directional.
+/// Converts the scene's lights for smoke. If the sun has a shadow map and the first light is directional,
+/// this light uses the map.
 [[nodiscard]] std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting, bool has_sun_map);
 
 /// Adds the glow of fires at the smoke's sources to the lights, if the style asks for the glow. The fires
@@ -48,9 +49,9 @@ struct SmokePlan {
     std::vector<smoke::Box> boxes; ///< Boxes of smoke in the picture; at least one
 };
 
-/// Makes one smoke box per node that the pattern matches: 2 m wide along each axis in the node's space, with
-/// the node in the middle of the box's floor. The number of cells along each side is a power of two. Boxes
-/// are numbered in the order of matching nodes. Nodes with zero scale get no box.
+/// Makes one smoke box for each node whose name matches the pattern. The box is 2 m wide along each axis in
+/// the node's space, and the node is in the middle of the box's floor. The number of cells along each side is
+/// a power of two. Boxes are numbered in the order of matching nodes. Nodes with zero scale get no box.
 [[nodiscard]] std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose,
                                                   const glm::dvec3& anchor, const std::string& pattern,
                                                   uint32_t cells);
@@ -62,26 +63,27 @@ public:
 
     /// Simulates the smoke up to the time of a picture, and returns its boxes; empty if the style or the
     /// scene has no smoke. The last steps remain for the next graph that calls velocity() or record(), where
-    /// they run parallel to independent passes. The simulation continues from the previous picture, if that
-    /// picture is at most a second earlier and has the same number of quantities. Otherwise it starts `age_s`
-    /// before the picture, with steps_per_s() steps per second. Patterns that match nothing, and more boxes
-    /// than shared::smoke_most_boxes, are reported in `notes`.
+    /// they run in parallel with independent passes. The simulation continues from the previous picture, if
+    /// that picture is at most a second earlier and has the same number of quantities. Otherwise it starts
+    /// `age_s` before the picture, with steps_per_s() steps per second. Patterns that match nothing, and more
+    /// boxes than shared::smoke_most_boxes, are reported in `notes`.
     [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
                                                const SmokeInputs& in, std::vector<std::string>& notes);
 
     /// Returns the air's velocity in a smoke box that rise() returned. Call at most once per graph.
     [[nodiscard]] gpu::ImageId velocity(gpu::Graph& graph, size_t box);
 
-    /// Plans light and drawing of the smoke; calls rise() unless that was done. Returns none if the picture
-    /// has no smoke.
+    /// Plans light and drawing of the smoke; calls rise() unless rise() was already called. Returns none if
+    /// the picture has no smoke.
     [[nodiscard]] std::optional<SmokePlan> ensure(gpu::Device& device, gpu::Executor& executor,
                                                   const SmokeInputs& in, std::vector<std::string>& notes);
 
-    /// Returns the solver reports of the smoke boxes whose last steps were measured, numbered if there are
-    /// several boxes.
+    /// Returns the solver reports of the smoke boxes whose last steps were measured, with numbers in their
+    /// names if there are several boxes.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
-    /// Forgets the smoke of a replaced scene. A moved anchor has no effect: smoke is stored in box space.
+    /// Forgets the smoke of a replaced scene. A moved anchor has no effect, because smoke is stored relative
+    /// to its box.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"smoke", 2}; }
@@ -97,7 +99,8 @@ public:
     /// Returns the smoke volume that record() made, for another graph.
     [[nodiscard]] smoke::Volume volume(gpu::Graph& graph) { return volume_.import(graph); }
 
-    /// Returns the inputs for drawing the smoke on a page. `frame`: FrameGlobals; `depth`: r32f, reversed.
+    /// Returns the inputs for drawing the smoke on a page. `frame` is the buffer of FrameGlobals, `depth` is
+    /// an r32f image of reversed depth.
     [[nodiscard]] smoke::ViewInputs view(gpu::Graph& graph, gpu::BufferId frame, gpu::ImageId depth,
                                          glm::uvec2 size_px);
 

@@ -10,10 +10,10 @@
 namespace estampe::features {
 namespace {
 
-/// Shortest time that air spends in a source of smoke, which limits the density.
+/// Air in a source of smoke has at least the density that it would gain within this time, in seconds.
 constexpr float held_s = 0.2F;
-/// Natural logarithm of a ratio: the saturation of the air at the floor over that at the top of the box, as
-/// if the box were some kilometres high.
+/// Decrease of the air's saturation with height, as a natural logarithm: saturation at the floor divided by
+/// saturation at the top of the box. The value is that of air some kilometres high.
 constexpr float holds_less_above = 2.0F;
 
 fluid::Solver solver_of(const smoke::SmokeStyle& style)
@@ -114,8 +114,8 @@ double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
 
 fluid::Grid grid_of(const smoke::Box& box)
 {
-    // Periodic faces act as open faces: the zone along them removes smoke that would enter again at the
-    // opposite face.
+    // Periodic faces are used as open faces. A zone along these faces removes smoke, so that it does not
+    // enter again at the opposite face.
     constexpr fluid::Edge open = fluid::Edge::periodic;
     return {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}};
 }
@@ -148,7 +148,7 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
     fluid::Source source{.shape = fluid::disc(floor + glm::vec3(0.0F, 0.6F * radius_m, 0.0F), radius_m)};
     source.gain_per_s[shared::fluid_density] = style.amount_per_s;
     // Without a least density, air that enters at the source's floor would rise before it becomes visible,
-    // and farther at a higher speed.
+    // and this invisible part would be longer at a higher speed.
     source.least_density = std::min(held_s * style.amount_per_s, 1.0F);
     source.gain_per_s[shared::fluid_temperature] = 6.0F / style.rise_s;
     source.gain_per_s[shared::fluid_fuel] = style.fuel_per_s;
@@ -165,7 +165,7 @@ std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& s
     const auto number = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
 
     struct Wave {
-        glm::dvec3 turns; ///< Periods of a wave across the box, whole numbers
+        glm::dvec3 turns; ///< Number of periods of the wave along each side of the box, whole numbers
         glm::dvec3 swing;
         double phase = 0.0;
     };
@@ -222,7 +222,8 @@ using Triangle = std::array<glm::dvec3, 3>;
 
 constexpr double half_cell = 0.5;
 
-/// Returns whether an axis separates the triangle from a cell centred at the origin.
+/// Returns whether a plane perpendicular to the axis separates the triangle from a cell centred at the
+/// origin.
 bool parts(const glm::dvec3& axis, const Triangle& triangle)
 {
     const double reach = half_cell * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));

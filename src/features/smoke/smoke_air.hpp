@@ -26,16 +26,16 @@ struct Draught {
 
 [[nodiscard]] Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// Temperature above which fuel burns, in the units of the simulation. A source reaches this temperature
-/// within its own height.
+/// Temperature above which fuel burns, in the units of the simulation. The air in a source reaches this
+/// temperature within the height of the source.
 inline constexpr float smoke_ignition = 0.2F;
 
 /// Returns the number of quantities that the air carries: density and temperature, plus fuel or water if the
 /// style has them.
 [[nodiscard]] uint32_t smoke_channels(const smoke::SmokeStyle& style);
 
-/// Returns the least number of simulation steps per second for smoke: 24, or more so that the wind crosses at
-/// most half the zone at the open faces in one step; at most 480.
+/// Returns the least number of simulation steps per second for smoke: at least 24, and so many that in one
+/// step the wind crosses at most half the zone at the open faces; but at most 480.
 [[nodiscard]] double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style);
 
 /// Returns the simulation grid of a smoke box; all its faces are open.
@@ -50,8 +50,8 @@ inline constexpr float smoke_ignition = 0.2F;
 /// straight column.
 [[nodiscard]] std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style);
 
-/// Returns the air's initial quantities for fluid::Fluid: the outside air's vapour, limited by saturation.
-/// Empty if the air is dry.
+/// Returns the air's initial quantities for fluid::Fluid: the water vapour of the outside air, limited by
+/// saturation. Empty if the air is dry.
 [[nodiscard]] std::vector<float> clean_air(const smoke::Box& box, const smoke::SmokeStyle& style);
 
 /// Finds the cells of a smoke box that solid objects occupy. One flag per cell, row by row and layer by

@@ -14,8 +14,8 @@ namespace estampe::features {
 /// uses another mesh method. Throws Error if the scene has no such object.
 [[nodiscard]] terrain::ObjectTriangles raised_object(const Scene& scene);
 
-/// Returns the terrain's mesh before the first view has placed it. `scene` must come from
-/// with_terrain_node().
+/// Returns the terrain's mesh for the time before the first view, which places the vertices. `scene` must
+/// come from with_terrain_node().
 [[nodiscard]] pose::ForeignMesh ground_mesh(const Scene& scene);
 
 /// The consequences of replacing the terrain of a scene by another terrain.
@@ -25,8 +25,8 @@ struct TerrainChange {
     Bounds bounds; ///< Bounds of the scene with the new terrain
 };
 
-/// Compares two terrains to find what a replacement changes; `layout` is of the scene with `own`. Cost: two
-/// samples.
+/// Compares two terrains to find what a replacement changes; `layout` is the layout of the scene with the
+/// terrain `own`. Cost: two samples of the terrain.
 [[nodiscard]] TerrainChange change_of(const pose::MeshData& layout, const Terrain& own, const Terrain& other);
 
 } // namespace estampe::features

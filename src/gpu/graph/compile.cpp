@@ -69,9 +69,9 @@ void check(const Graph& graph, std::vector<History>& histories)
 
 /// Working memory for assigning transient resources to memory slots.
 struct Sharing {
-    std::vector<size_t> last_use;   ///< Level of passes that last uses a resource, by resource
-    std::vector<uint8_t> unshared;  ///< Whether a resource needs its own slot, by resource
-    std::vector<size_t> busy_until; ///< Last level that uses a slot, by slot; SIZE_MAX: never shared
+    std::vector<size_t> last_use;   ///< For each resource: level of passes that last uses it
+    std::vector<uint8_t> unshared;  ///< For each resource: whether it needs its own slot
+    std::vector<size_t> busy_until; ///< For each slot: last level that uses it; SIZE_MAX: never shared
 };
 
 void find_last_uses(const Graph& graph, const Schedule& schedule, Sharing& sharing)
@@ -128,9 +128,9 @@ struct MemoryState {
     uint32_t holder = none; ///< Resource that occupies the memory
     Layout layout = Layout::undefined;
     AccessSet source;  ///< The last write, or the accesses that waited for the last layout change
-    AccessSet readers; ///< Reads since `source`; each read has waited for `source`
-    /// The subset of `readers` that another reader has waited for. Later accesses need not wait for these
-    /// readers.
+    AccessSet readers; ///< Reads since the accesses in `source`; each read has waited for these accesses
+    /// Those accesses in `readers` for which another reader has already waited. Later accesses need not wait
+    /// for these readers.
     AccessSet covered;
 };
 
@@ -182,7 +182,8 @@ void take_back(CompiledGraph& compiled, Memory& memory)
         memory.spare.push_back(std::move(pass.barriers));
     }
     compiled.passes.clear();
-    std::ranges::reverse(memory.spare); // Gives each pass the list that it had before
+    // Each pass gets the list of barriers that it had in the previous graph.
+    std::ranges::reverse(memory.spare);
 }
 
 void add_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
@@ -270,7 +271,7 @@ Layout layout_for(Access access)
     case Access::raster_uniform:
     case Access::indirect:
     case Access::host_read:
-        break; // Accesses to buffers only
+        break; // These accesses occur only with buffers
     }
     return Layout::undefined;
 }

@@ -75,10 +75,11 @@ constexpr AccessSet operator|(Access a, Access b)
 /// source scope of the same barrier.
 struct Barrier {
     uint32_t resource = 0;
-    AccessSet before = {};                 ///< Accesses that must have finished; if empty, see first_use()
-    AccessSet after = {};                  ///< Accesses that wait for those in `before`
-    Layout old_layout = Layout::undefined; ///< For images; equals `new_layout` if unchanged
-    Layout new_layout = Layout::undefined; ///< Set for images
+    AccessSet before = {}; ///< Accesses that must have finished; if empty, see first_use()
+    AccessSet after = {};  ///< Accesses that must wait for the accesses in `before`
+    /// Layout of an image before the barrier; equals `new_layout` if unchanged.
+    Layout old_layout = Layout::undefined;
+    Layout new_layout = Layout::undefined; ///< Layout of an image after the barrier
     bool operator==(const Barrier&) const = default;
 
     /// Whether this is the first use of the resource and its memory slot in this frame. The barrier then only
@@ -92,19 +93,20 @@ struct Slot {
     bool is_image = false;
     ImageDesc image;
     BufferDesc buffer;
-    AccessSet accesses; ///< All accesses in this frame, which determine the usage flags
+    AccessSet accesses; ///< All accesses in this frame; the usage flags follow from them
 };
 
 struct CompiledPass {
     uint32_t pass = 0;             ///< Index into Graph::passes()
-    std::vector<Barrier> barriers; ///< Recorded together before the first pass of a level of passes
+    std::vector<Barrier> barriers; ///< Recorded together, before the first pass of the pass's level
 };
 
 struct CompiledGraph {
-    std::vector<CompiledPass> passes;       ///< Kept passes in execution order, level by level
-    std::vector<uint32_t> slot_of_resource; ///< Index into `slots`; UINT32_MAX: imported or unused
+    std::vector<CompiledPass> passes; ///< Kept passes in execution order, level by level
+    /// For each resource: index into `slots`; UINT32_MAX: imported or unused.
+    std::vector<uint32_t> slot_of_resource;
     std::vector<Slot> slots;
-    std::vector<Layout> final_layout; ///< Layout of each image after the frame, by resource
+    std::vector<Layout> final_layout; ///< For each resource: layout of the image after the frame
 };
 
 /// Image layout that an access requires.
@@ -121,11 +123,11 @@ struct CompiledGraph {
 ///
 /// Order: the scheduler groups passes into levels; see Scheduler. The passes of one level do not depend on
 /// each other. Their barriers are recorded before the first of them, so a device may run these passes in
-/// parallel. Passes with side effects keep their order. Culling: a pass is kept if it has a side effect, is a
-/// host read, writes an exported or imported resource, or writes content that a kept pass reads. Memory
-/// slots: transient resources with equal descriptions (buffers: equal sizes) share a slot if the levels that
-/// use them do not overlap; a barrier orders their accesses. Exported resources, and resources that the host
-/// reads, have their own slots.
+/// parallel. Passes with side effects keep their order. Culling removes passes that nothing needs. A pass is
+/// kept if it has a side effect, is a host read, writes an exported or imported resource, or writes content
+/// that a kept pass reads. Memory slots: transient resources with equal descriptions (buffers: equal sizes)
+/// share a slot if the levels that use them do not overlap; a barrier orders their accesses. Exported
+/// resources, and resources that the host reads, have their own slots.
 ///
 /// Barriers: a write waits for every access since the last write. A read waits for the last write, unless an
 /// earlier read of that access kind has already waited. A layout change counts as a write. Cost: linear in

@@ -99,7 +99,7 @@ void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, 
             return !stop && passes_cached < passes_tried;
         });
     } catch (const std::exception&) {
-        // If the drawing device has the same problem, that device reports it.
+        // If the drawing device has the same problem, the drawing device reports the problem.
         return;
     }
 }

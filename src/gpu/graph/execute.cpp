@@ -165,8 +165,8 @@ uint64_t Executor::find_slots()
 
 void Executor::ensure_slots()
 {
-    // Other graphs, such as cloth simulation steps, run between frames. The next frame should still find its
-    // resources.
+    // Other graphs, such as cloth simulation steps, run between frames. The resources of a frame are
+    // therefore kept for several runs.
     constexpr uint64_t runs_kept = 8;
     drop_unused(runs_kept);
     uint64_t missing_bytes = find_slots();
@@ -395,7 +395,8 @@ void Executor::end_timings()
 
 namespace {
 
-constexpr size_t most_colors = 8; // Vulkan guarantees only four color attachments
+// Largest number of color attachments that is supported; Vulkan guarantees only four.
+constexpr size_t most_colors = 8;
 
 /// Attachments of a raster pass.
 struct Targets {
@@ -403,7 +404,7 @@ struct Targets {
     std::array<VkFormat, most_colors> color_formats{};
     uint32_t color_count = 0;
     std::optional<VkRenderingAttachmentInfo> depth;
-    VkExtent2D extent{UINT32_MAX, UINT32_MAX}; ///< Size shared by all attachments
+    VkExtent2D extent{UINT32_MAX, UINT32_MAX}; ///< Size of all attachments in pixels
 };
 
 void add_target(Targets& targets, const Use& use, const Image& image, bool clears)

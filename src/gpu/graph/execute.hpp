@@ -141,8 +141,8 @@ private:
     std::vector<Kept<Buffer, BufferDesc>> buffers_;
     std::vector<uint32_t> physical_of_slot_;
     uint64_t run_ = 0;
-    std::vector<Image> stand_in_images_;   ///< One per resource; used by use_shaders()
-    std::vector<Buffer> stand_in_buffers_; ///< One per resource; used by use_shaders()
+    std::vector<Image> stand_in_images_;   ///< One image per image of the graph; used by use_shaders()
+    std::vector<Buffer> stand_in_buffers_; ///< One buffer per buffer of the graph; used by use_shaders()
     std::vector<PassTiming> timings_;
     size_t timing_count_ = 0; ///< Number of valid entries of timings_
     size_t first_of_run_ = 0; ///< Index of the last run's first pass in timings_

@@ -198,9 +198,9 @@ enum class Access : uint8_t {
     compute_storage_write,  ///< A compute shader writes all content that is used later
     compute_storage_modify, ///< A compute shader reads and writes the content, or uses atomics
     compute_uniform,        ///< A compute shader reads a uniform buffer
-    raster_sampled,         ///< Like compute_sampled, in the vertex or fragment stage
-    raster_storage_read,    ///< Like compute_storage_read, in the vertex or fragment stage
-    raster_uniform,         ///< Like compute_uniform, in the vertex or fragment stage
+    raster_sampled,         ///< Like compute_sampled, but in the vertex or fragment stage
+    raster_storage_read,    ///< Like compute_storage_read, but in the vertex or fragment stage
+    raster_uniform,         ///< Like compute_uniform, but in the vertex or fragment stage
     indirect,               ///< The device reads arguments of a dispatch or draw call
     transfer_read,
     transfer_write,
@@ -256,11 +256,11 @@ enum class Sampling : uint8_t { nearest, linear, linear_repeat };
 
 struct Use {
     uint32_t resource = 0;
-    uint32_t version = 0; ///< Version that is read; for a write, the version before the write
+    uint32_t version = 0; ///< Version of the resource that is read; for a write, the version before the write
     Access access = Access::compute_sampled;
     Sampling sampling = Sampling::nearest;
-    Format texel = Format::rgba32ui; ///< Only for sampled buffers
-    bool bound = true;               ///< Uses the next binding number; false for indirect arguments
+    Format texel = Format::rgba32ui; ///< Format of the texels; only for sampled buffers
+    bool bound = true; ///< The resource takes the next binding number; false for indirect arguments
 };
 
 struct Dispatch {
@@ -286,9 +286,10 @@ struct PassRecord {
     std::vector<std::byte> push = {};
     uint32_t variant = 0; ///< Value of the shaders' specialization constant 0
     Dispatch dispatch = {};
-    uint32_t estimated_duration_us = 0; ///< See Pass::estimated_duration_us(); 0: unknown
-    Recording record = {};              ///< Used only by custom passes
-    bool has_side_effect = false;       ///< The pass is never culled
+    /// Duration that the caller estimated in microseconds, see Pass::estimated_duration_us(); 0: unknown.
+    uint32_t estimated_duration_us = 0;
+    Recording record = {};        ///< Used only by custom passes
+    bool has_side_effect = false; ///< The pass is never culled
 
     [[nodiscard]] bool is_raster() const { return draw.vertex != nullptr; }
 };
@@ -353,7 +354,7 @@ public:
     }
 
     /// Sets specialization constant 0 of the pass's shaders. Its bits select the shader parts that this scene
-    /// uses; the driver removes the other parts. Each value compiles its own pipeline.
+    /// uses; the driver removes the other parts. For each value a separate pipeline is compiled.
     Pass& variant(uint32_t bits);
 
     /// Sets the approximate duration, on a large GPU, of a pass that leaves most of the GPU idle. Such a pass
@@ -400,8 +401,8 @@ private:
 class Graph {
 public:
     /// Declares a transient resource. It exists from its first write to its last read; outside that time its
-    /// memory may hold other resources. The description is a copy, because it may be that of another resource
-    /// of this graph, which a new one may move in memory.
+    /// memory may hold other resources. The description is passed by value: it may belong to another resource
+    /// of this graph, which moves in memory when a resource is added.
     [[nodiscard]] ImageId image(std::string_view name, ImageDesc desc);
     [[nodiscard]] BufferId buffer(std::string_view name, BufferDesc desc);
 
@@ -454,7 +455,8 @@ private:
     /// Adds an imported resource and returns its index.
     uint32_t take_in(std::string_view name, const ResourceRecord& imported);
 
-    std::vector<PassRecord> passes_; ///< Entries from index `pass_count_` on are unused spares
+    /// Entries from index `pass_count_` on are unused; their memory is kept for later passes.
+    std::vector<PassRecord> passes_;
     std::vector<ResourceRecord> resources_;
     uint32_t pass_count_ = 0;
     uint32_t resource_count_ = 0;

@@ -16,7 +16,7 @@ struct PassUse {
     uint32_t resource = 0;
     AccessSet accesses;
     bool writes = false;
-    Layout layout = Layout::undefined; ///< Set for images
+    Layout layout = Layout::undefined; ///< Layout that the pass requires; only for images
 };
 
 /// The passes that are not culled, in execution order, with the resources that they use.
@@ -41,10 +41,9 @@ public:
     /// passes that write its inputs and before the passes that read its results. The number of levels is the
     /// length of the longest dependency chain. A level lasts about as long as its longest pass. Therefore,
     /// passes with Pass::estimated_duration_us() are assigned to levels with passes of similar duration.
-    /// Passes of many workgroups are assigned to the levels with the fewest such passes (the first of
-    /// several). All other passes are assigned to their earliest level, in declared order. Within a level,
-    /// passes of few workgroups are first, so that the larger passes hide their memory latency. Passes with
-    /// side effects keep their order.
+    /// Passes of many workgroups are assigned to the level with the fewest such passes. All other passes are
+    /// assigned to their earliest level, in declared order. Within a level, passes of few workgroups are
+    /// first, so that the larger passes hide their memory latency. Passes with side effects keep their order.
     ///
     /// Throws std::logic_error if a pass, kept or culled, binds one resource twice with incompatible
     /// accesses. Cost: linear in resource uses, plus a sort of the passes. Each pass of many workgroups also
@@ -65,8 +64,8 @@ private:
         }
     };
 
-    /// Consecutive uses of a resource that may overlap. The scheduler tracks them while it visits the passes
-    /// in order or in reverse order.
+    /// Consecutive uses of a resource that may run at the same time. The scheduler tracks them while it
+    /// visits the passes in order or in reverse order.
     struct Wave {
         bool is_begun = false;
         bool writes = false;
@@ -93,8 +92,9 @@ private:
     void sort_by_levels(const Graph& graph, Schedule& schedule);
 
     Wanted wanted_;
-    std::vector<Wave> waves_;        ///< The current uses of each resource, by resource
-    std::vector<uint32_t> level_of_; ///< Latest possible level of each kept pass; its level once chosen
+    std::vector<Wave> waves_; ///< The current uses of each resource, by resource
+    /// Latest possible level of each kept pass; when the level is chosen, the chosen level.
+    std::vector<uint32_t> level_of_;
     std::vector<uint32_t> wide_in_level_;
     std::vector<Long> long_;
     uint32_t level_count_ = 0;
