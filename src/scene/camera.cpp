@@ -28,8 +28,8 @@
 namespace estampe {
 namespace {
 
-/// Splits a text into words of the form "key=value" or "key". Numbers are parsed when they are queried. Every
-/// invalid word throws an Error that shows the correct form.
+/// Splits a text into words of the form "key=value" or "key". A number is parsed when its key is queried.
+/// Every invalid word throws an Error that shows the correct form.
 class CameraWords {
 public:
     /// `form` describes the syntax with an example, for error messages; it must outlive this object. `lone`
@@ -37,15 +37,15 @@ public:
     CameraWords(const std::string& text, const char* form, std::initializer_list<std::string_view> keys,
                 std::initializer_list<std::string_view> lone);
 
-    /// Whether the key is present, with or without a value.
+    /// Returns whether the key is present, with or without a value.
     [[nodiscard]] bool has(std::string_view key) const;
-    /// The number after a key. Nothing if the key is missing or has no value.
+    /// Returns the number after a key; nothing if the key is missing or has no value.
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
-    /// The three numbers after a key. Nothing if the key is missing.
+    /// Returns the three numbers after a key; nothing if the key is missing.
     [[nodiscard]] std::optional<glm::dvec3> vector(std::string_view key) const;
-    /// The vertical angle of view in degrees, after a range check. Nothing if the key is missing.
+    /// Returns the vertical angle of view in degrees, after a range check; nothing if the key is missing.
     [[nodiscard]] std::optional<double> fov_deg() const;
-    /// Half the height of a parallel projection in metres, after a range check. Nothing if the key is
+    /// Returns half the height of a parallel projection in metres, after a range check; nothing if the key is
     /// missing.
     [[nodiscard]] std::optional<double> half_height_m() const;
 
@@ -169,8 +169,8 @@ std::string list_cameras(const Scene& scene)
     return fmt::format("cameras of the scene: {}; or {}", list, other_forms);
 }
 
-/// Finds the node of the camera called `name`, which is the name of the camera or of its node. If there is
-/// none, `name` is the number of a camera.
+/// Finds the node of the camera called `name`, which is the name of the camera or of its node. If there is no
+/// such name, `name` is read as the index of a camera.
 Index find_camera_node(const Scene& scene, const std::string& name)
 {
     const Index number = number_from<Index>(name).value_or(no_index);
@@ -250,7 +250,7 @@ constexpr const char* direction_form =
     "+z and sees the front, 90 looks from +x; and if need be distance=metres, target=x,y,z, fov=degrees, "
     "ortho or ortho=half_height";
 
-/// The axes of a view in a given direction. Also valid for views straight down or up.
+/// Returns the axes of a view in a given direction. The direction may be straight down or straight up.
 ViewAxes axes_of(const ViewDirection& from)
 {
     const double azimuth_rad = glm::radians(from.azimuth_deg);
@@ -259,16 +259,17 @@ ViewAxes axes_of(const ViewDirection& from)
     return {right, glm::cross(right, forward), forward};
 }
 
-/// Half the height in metres of a parallel projection in which `seen` fits on the page with a margin.
+/// Returns half the height in metres of a parallel projection in which `seen` fits on the page with a margin.
 double fitting_half_height(const Bounds& seen, double aspect)
 {
     const glm::dvec3 half = 0.5 * (seen.max - seen.min);
-    const double rim = 2.0 * framed_margin * std::min(1.0, aspect); // as a share of half the height
+    // width of the margin on both sides together, as a share of half the picture's height.
+    const double rim = 2.0 * framed_margin * std::min(1.0, aspect);
     return std::max(half.y / (1.0 - rim), half.x / (aspect - rim));
 }
 
-/// The points of the subject in camera space, relative to the centre of the subject. Two points if the
-/// subject has no extent.
+/// Returns the points of the subject in camera space, relative to the centre of the subject. Two points if
+/// the subject has no extent.
 std::vector<glm::dvec3> subject_points(const Scene& scene, const ScenePose& pose, const Subject& subject,
                                        const ViewAxes& axes)
 {
@@ -370,7 +371,7 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     const SurfaceCloud& cloud = surveyed->cloud;
     ViewAnalysis& analysis = surveyed->analysis;
     if (analysis.standpoint == Standpoint::inside)
-        analysis.subject = whole; // show the subject from outside even if it is a room
+        analysis.subject = whole; // The whole scene is the subject, so that even a room is shown from outside
     // A view from a requested side also shows the floor, unless the floor extends far beyond the objects on
     // it.
     constexpr double far_wider = 4.0;
@@ -388,8 +389,9 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     Camera camera;
     camera.up = std::abs(from.elevation_deg) > 89.9 ? axes.up : glm::dvec3(0.0, 1.0, 0.0);
     camera.vertical_fov_rad = 2.0 * std::atan(half_height);
-    glm::dvec3 eye = seen.center(); // `points` are relative to the centre of the subject
-    double distance_m = 0.0;        // from the eye to the centre of the visible subject
+    // `points` are relative to the centre of the subject, so the eye is computed relative to it.
+    glm::dvec3 eye = seen.center();
+    double distance_m = 0.0; // distance from the eye to the centre of the visible subject
     if (from.parallel || from.distance_m) {
         const double fitting_m = fitting_half_height(seen, aspect);
         const double half_m = from.half_height_m ? *from.half_height_m

@@ -38,8 +38,8 @@ double framed_half_height(double aspect)
     return std::min(std::tan(0.25), 0.8 / aspect);
 }
 
-/// On each side of the window, the outermost point along the normal of the bounding plane limits the eye. So
-/// one pass over the points gives the exact result.
+/// On each side of the window, the outermost point along the normal of the bounding plane limits the eye.
+/// Therefore a single pass over the points gives the exact result.
 glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window)
 {
     constexpr double lowest = -std::numeric_limits<double>::infinity();
@@ -111,7 +111,8 @@ bool Subject::has_floor_at(const glm::dvec3& position) const
 
 namespace {
 
-constexpr double shadow_room = 0.03; // extra margin below the subject, as a share of the shorter side
+// extra margin below the subject for its shadow, as a share of the picture's shorter side.
+constexpr double shadow_room = 0.03;
 
 /// Horizontal extent of points in the picture, as tangents. `depth` is the depth of the leftmost or the
 /// rightmost point, whichever is nearer.
@@ -165,8 +166,8 @@ glm::dvec3 towards(const SunBearing& sun, const ViewAnalysis& analysis)
                      : bearing(glm::radians(sun.azimuth_deg), glm::radians(sun.elevation_deg));
 }
 
-/// Direction towards the light that casts the framed shadow. It is the strongest directional light of the
-/// scene. It is the default sun if the scene has no light or the sun replaces the scene's lights.
+/// Direction towards the light that casts the framed shadow. The light is the strongest directional light of
+/// the scene. If the scene has no light, or if the sun replaces the scene's lights, it is the default sun.
 std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose,
                                        const ViewAnalysis& analysis, const SunBearing& sun)
 {
@@ -195,7 +196,8 @@ std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose
 ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
                        const ViewAnalysis& analysis, const SunBearing& sun, const Subject& subject)
 {
-    constexpr double lowest_sun = 0.26; // 15 degrees; shadows of a lower sun are too long for the page
+    // smallest sine of the sun's height (15 degrees); shadows of a lower sun are too long for the page.
+    constexpr double lowest_sun = 0.26;
     ViewPoints points;
     const auto light = shadow_light(scene, pose, analysis, sun);
     const bool has_ground = sun.on_blank_ground.value_or(scene.cameras.empty());
@@ -216,8 +218,8 @@ ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes
     return points;
 }
 
-/// Returns the subject's points. If there are shadows, also returns for each point the position at the share
-/// `part` of the way to the point's shadow.
+/// Returns the subject's points. If there is a shadow, also returns points between each point and its shadow;
+/// `part` is the share of the way.
 std::vector<glm::dvec3> with_shadow(const ViewPoints& points, double part)
 {
     std::vector<glm::dvec3> all = points.subject;
@@ -240,8 +242,8 @@ Fit fit_part(const ViewPoints& points, const Window& window, double part)
     return {lean_to_subject(all, points.subject, window, eye), part};
 }
 
-/// Finds the eye that shows as much of the shadow as possible: the whole shadow, or the largest part for
-/// which the subject remains large enough and near the middle of the picture.
+/// Finds the eye that shows as much of the shadow as possible: the whole shadow, or the largest part of the
+/// shadow that leaves the subject large enough and near the middle of the picture.
 Fit fit_with_shadow(const ViewPoints& points, const Window& window)
 {
     constexpr double least_size = 0.74; // smallest size of the subject, as a share of its size without shadow
@@ -274,7 +276,7 @@ ViewPoints thinned(const ViewPoints& points)
     return few;
 }
 
-/// The inner part of the picture. Points inside it cannot be the outermost ones.
+/// The inner part of the picture. A point inside it cannot be one of the outermost points.
 struct Core {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};
@@ -333,13 +335,13 @@ ViewAxes axes_for(const Scene& scene, const SurfaceCloud& cloud, const ViewAnaly
     const double distance_m = 0.5 * std::max(size.y, size.x / aspect) / (usable * framed_half_height(aspect));
     const double rise_m = *eyes_m - analysis.subject.center().y;
     const double elevation_rad = std::asin(std::clamp(rise_m / distance_m, 0.0, 0.3));
-    // The view is near the front, or near the back if the analysis has chosen a view from behind.
+    // The eye looks from near the front, or from near the back if the analysis has chosen a view from behind.
     const double middle_rad = std::cos(analysis.azimuth_rad) > 0.0 ? 0.0 : std::numbers::pi;
-    constexpr double aside = 0.5; // share of the angle between front view and three-quarter view
+    constexpr double aside = 0.5; // direction of view between front view (0) and three-quarter view (1)
     return look_from(glm::mix(middle_rad, analysis.azimuth_rad, aside), elevation_rad);
 }
 
-/// A camera with a wide lens in the corner of a closed room.
+/// Returns a camera with a wide lens in the corner of a closed room.
 Camera camera_inside(const ViewAnalysis& analysis, double aspect)
 {
     Camera camera;

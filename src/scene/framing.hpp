@@ -22,12 +22,12 @@ struct Window {
     double bottom = 0.0;
 };
 
-/// Tangent of half the vertical angle of view of a framed picture. Wide pictures have a smaller angle, so
-/// that perspective does not stretch objects near the sides.
+/// Returns the tangent of half the vertical angle of view of a framed picture. Wide pictures have a smaller
+/// angle, so that perspective does not stretch objects near the sides.
 [[nodiscard]] double framed_half_height(double aspect);
 
-/// The eye position closest to `points` from which all points are inside the window. `points` are in camera
-/// space, see ViewAxes::of().
+/// Returns the eye position closest to `points` from which all points are inside the window. `points` are in
+/// camera space, see ViewAxes::of().
 [[nodiscard]] glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window);
 
 /// Moves the eye sideways until the projected points are centred in the window.
@@ -55,11 +55,11 @@ public:
     /// Bounds of the scene without strays, which are small parts far away from the rest.
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
-    /// Whether the picture must contain the vertex. False for strays (small parts far away) and for a wide
-    /// floor around the subject.
+    /// Returns whether the picture must contain the vertex. Returns false for strays (small parts far away)
+    /// and for a wide floor around the subject.
     [[nodiscard]] bool holds_vertex(const glm::dvec3& position) const;
 
-    /// Whether `position` is on a floor that is much wider than the objects on it.
+    /// Returns whether `position` is on a floor that is much wider than the objects on it.
     [[nodiscard]] bool has_floor_at(const glm::dvec3& position) const;
 
 private:

@@ -15,10 +15,10 @@ namespace estampe {
 /// Reads a glTF 2.0 file and its external buffers and images. The content of the file decides whether it is
 /// read as text or as binary.
 ///
-/// Throws Error with the place as `file#/json/pointer`, `file:line:column` or `file:byte N`. Repairs missing
-/// or corrupt textures, bad normals and the like, and lists the repairs in Scene::warnings. Allocates at most
-/// a few hundred times the size of the files read, plus the decoded textures. Source: Khronos, "glTF 2.0
-/// Specification", 2021.
+/// Throws Error with the place as `file#/json/pointer`, `file:line:column` or `file:byte N`. Repairs faults
+/// such as missing or corrupt textures and bad normals, and lists the repairs in Scene::warnings. Allocates
+/// at most a few hundred times the size of the files read, plus the decoded textures. Source: Khronos, "glTF
+/// 2.0 Specification", 2021.
 [[nodiscard]] Scene load_gltf(const std::filesystem::path& path);
 
 /// Reads a glTF 2.0 file from memory. A reference to an external buffer throws Error; a reference to an
@@ -29,9 +29,9 @@ namespace estampe {
 ///
 /// Each object (`o`) becomes a node, each group (`g`) a child node of its object, and each material of a node
 /// one primitive. Coordinates are read as doubles. If coordinates are far from zero, the mesh gets its own
-/// origin, which becomes the translation of its node. Polygons are triangulated. Where the file has no
-/// normals, smoothing groups define them, or without groups the angles between faces. Vertex colours are
-/// sRGB. All materials are double-sided, because the format does not specify sides. Warnings in
+/// origin, which becomes the translation of its node. Polygons are triangulated. If the file has no normals,
+/// they are computed from smoothing groups; without smoothing groups, from the angles between faces. Vertex
+/// colours are sRGB. All materials are double-sided, because the format does not specify sides. Warnings in
 /// Scene::warnings count the elements that cannot be read. Throws Error naming the file when nothing is left
 /// to draw. Cost: about 1 s for a million triangles.
 [[nodiscard]] Scene load_obj(const std::filesystem::path& path);
@@ -39,8 +39,8 @@ namespace estampe {
 /// Reads an OBJ file from memory, without its material libraries. `name` is the name of the file in messages.
 [[nodiscard]] Scene load_obj_bytes(std::span<const std::byte> bytes, const std::string& name);
 
-/// Reads a PLY file, text or binary, with its faces, triangle strips and edges. A file without any of these
-/// is read as a point cloud.
+/// Reads a PLY file, text or binary, with its faces, triangle strips and edges. A file without faces, strips
+/// and edges is read as a point cloud.
 ///
 /// Colours of vertices and faces are sRGB. Texture coordinates may belong to vertices or to corners of faces.
 /// Comments that begin with TextureFile name the pictures. If coordinates are far from zero, the mesh gets
@@ -68,9 +68,9 @@ namespace estampe {
 ///
 /// Assimp runs in a child process with limits on time and memory, so that a file that crashes or hangs Assimp
 /// only causes an Error here. The indices, numbers and node tree of the result are checked. Bad triangles,
-/// bad normals and closed pieces that are inside out are repaired, with a line in Scene::warnings. Smooth
-/// normals are computed if the file has none. All materials are double-sided, because these formats do not
-/// specify sides. Throws Error naming the file.
+/// bad normals and closed parts of meshes that are inside out are repaired, with a line in Scene::warnings.
+/// Smooth normals are computed if the file has none. All materials are double-sided, because these formats do
+/// not specify sides. Throws Error naming the file.
 [[nodiscard]] Scene load_with_assimp(const std::filesystem::path& path);
 
 } // namespace estampe

@@ -15,7 +15,8 @@ float share_along(const SpotBeam& beam, const glm::vec3& along)
 {
     float cosine = glm::dot(along, beam.direction);
     if (beam.shape == SpotShape::pyramid) {
-        // The direction is outside the pyramid if the larger of its angles to the two axes is too large.
+        // The direction is outside the pyramid if the larger of its angles to the pyramid's two axes is too
+        // large.
         const float aside = std::max(std::abs(glm::dot(along, beam.side)),
                                      std::abs(glm::dot(along, glm::cross(beam.side, beam.direction))));
         cosine /= std::sqrt(std::max(cosine * cosine + aside * aside, 1e-12F));
@@ -43,7 +44,8 @@ int days_of(int year, int month)
     return days.at(static_cast<size_t>(month - 1)) + (month == 2 && is_leap_year ? 1 : 0);
 }
 
-/// Number of days from noon of 1 January 2000 to midnight of the date (Meeus, chapter 7).
+/// Returns the number of days from noon of 1 January 2000 to midnight at the start of the date (Meeus,
+/// chapter 7).
 double days_since_2000(const Date& date)
 {
     const bool counts_to_last_year = date.month <= 2;
@@ -56,7 +58,7 @@ double days_since_2000(const Date& date)
     return julian_day - 2451545.0;
 }
 
-/// Position of the sun as far as it does not depend on the place on earth.
+/// The part of the sun's position that is the same for all places on earth.
 struct Course {
     double declination_rad;
     double equation_of_time_hours;
@@ -135,8 +137,8 @@ SunPosition sun_position_by_sundial(const Date& date, double hour, double latitu
 
 double refraction_rad(double elevation_rad)
 {
-    // The formula has a pole at a lower elevation, so the elevation is clamped. The sun is not visible there
-    // anyway.
+    // The formula has a pole at a lower elevation, so the elevation is clamped. Below the clamped range the
+    // sun is not visible.
     const double deg = std::clamp(elevation_rad / degree, -1.0, 90.0);
     return std::max(degree * 1.02 / 60.0 / std::tan(degree * (deg + 10.3 / (deg + 5.11))), 0.0);
 }

@@ -44,7 +44,8 @@ KeySpan find_keys(const std::vector<float>& times_s, double time_s)
     return {.before = after - 1, .after = after, .part = (time_s - start_s) / length_s, .length_s = length_s};
 }
 
-/// Number of values per animation key. 0 when the sizes of the channel's arrays do not match.
+/// Returns the number of values per animation key. Returns 0 when the sizes of the channel's arrays do not
+/// match.
 size_t values_per_key(const AnimationChannel& channel)
 {
     const size_t keys =
@@ -137,8 +138,8 @@ double looped(double time_s, double duration_s)
     return rest_s < 0.0 ? rest_s + duration_s : rest_s;
 }
 
-/// The morph weights of the node, or those of its mesh if it has none. The result has one weight per morph
-/// target.
+/// Returns the morph weights of the node, or of its mesh if the node has none. The result has one weight per
+/// morph target.
 std::vector<float> rest_weights(const Scene& scene, const Node& node)
 {
     if (node.mesh >= scene.meshes.size())
@@ -239,8 +240,8 @@ bool turns_inside_out(const glm::dmat4& matrix)
     return glm::determinant(glm::dmat3(matrix)) < 0.0;
 }
 
-/// Visits primitives like visit_posed(), but not all vertices. `stride_of` returns the stride for a given
-/// number of vertices.
+/// Visits primitives like visit_posed(), but only some of the vertices. `stride_of` returns the stride for a
+/// given number of vertices.
 void visit_some(const Scene& scene, const ScenePose& pose, const std::function<size_t(size_t)>& stride_of,
                 const std::function<void(const PosedPrimitive&)>& visit)
 {

@@ -18,7 +18,7 @@ namespace {
 
 bool is_near(const glm::dvec3& point)
 {
-    // Written with `<=`, so that NaN gives false.
+    // The comparison is written with `<=`, so that the result is false for NaN.
     return std::abs(point.x) <= farthest_m && std::abs(point.y) <= farthest_m &&
            std::abs(point.z) <= farthest_m;
 }
@@ -124,7 +124,8 @@ namespace {
 constexpr uint64_t most_vertices = uint64_t{1} << 31U;
 constexpr const char* lighten_it = "use a lighter scene, or show fewer copies";
 
-// Memory needed on CPU and GPU. Per vertex: positions, draws and shadows. Per triangle: corners and edges.
+// Estimated memory on CPU and GPU together. A vertex needs memory for positions, drawing and shadows; a
+// triangle for corners and edges.
 constexpr uint64_t bytes_a_vertex = 96;
 constexpr uint64_t bytes_a_triangle = 96;
 

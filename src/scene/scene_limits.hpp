@@ -10,8 +10,8 @@
 
 namespace estampe {
 
-/// Largest distance from the origin in metres. Beyond it, squares and products of lengths exceed the range of
-/// floats on the GPU.
+/// Largest distance from the origin in metres. At larger distances, squares and products of lengths exceed
+/// the range of floats on the GPU.
 inline constexpr double farthest_m = 1e12;
 /// Radius of the smallest scene, in metres; smaller lengths underflow as floats on the GPU. A scene that is a
 /// single point is allowed.
@@ -31,14 +31,16 @@ void check_camera(const Camera& camera);
 /// Number of vertices and triangles to draw. A mesh counts once for each node or instance that shows it.
 struct DrawnSize {
     uint64_t vertices = 0;
-    uint64_t triangles = 0; ///< lines and points count as the triangles with which they are drawn
+    /// number of triangles; lines and points count as the triangles with which they are drawn.
+    uint64_t triangles = 0;
 };
 
 [[nodiscard]] DrawnSize drawn_size(const Scene& scene);
 
-/// Throws Error when drawing the scene needs more memory than available, or more vertices than fit in 31
-/// bits. Even a small file can do so, because it can show one mesh any number of times. Messages name
-/// `where`, or the name of the scene if `where` is empty. Cost: linear in nodes and primitives.
+/// Throws Error when drawing the scene needs more memory than is available, or more vertices than can be
+/// numbered with 31 bits. Even a small file can need so much, because it can show one mesh any number of
+/// times. Messages name `where`, or the name of the scene if `where` is empty. Cost: linear in nodes and
+/// primitives.
 void check_drawn_size(const Scene& scene, const std::string& where = {});
 
 } // namespace estampe

@@ -44,7 +44,8 @@ void add_face(Primitive& mesh, const glm::vec3& corner, const glm::vec3& right, 
     add_triangle(mesh, a, c, d);
 }
 
-/// Unit directions around the y axis, from +z towards +x. The last direction is bitwise equal to the first.
+/// Returns unit directions around the y axis, from +z towards +x. The last direction is bitwise equal to the
+/// first.
 std::vector<glm::vec2> circle(uint32_t segments)
 {
     std::vector<glm::vec2> directions;
@@ -156,8 +157,8 @@ Primitive box(const glm::vec3& size)
     add_face(mesh, corner, z, y);
     add_face(mesh, corner + y + z, x, -z);
     add_face(mesh, corner, x, z);
-    // Different sums of edges give slightly different coordinates for the same corner. This makes them
-    // identical.
+    // Different sums of edges give slightly different coordinates for the same corner. Rounding makes these
+    // coordinates identical.
     for (glm::vec3& p : mesh.positions)
         p = {p.x < 0.0F ? -half.x : half.x, p.y < half.y ? 0.0F : size.y, p.z < 0.0F ? -half.z : half.z};
     return mesh;
@@ -311,8 +312,8 @@ bool is_ear(std::span<const glm::vec2> outline, const std::vector<uint32_t>& rin
     });
 }
 
-/// Triangulates a polygon by ear clipping. A straight corner is no ear; it is clipped together with a
-/// neighbour.
+/// Triangulates a polygon by ear clipping. A straight corner cannot be clipped alone; it is clipped together
+/// with a neighbour.
 std::vector<glm::uvec3> triangulate(std::span<const glm::vec2> outline)
 {
     std::vector<uint32_t> ring(outline.size());
@@ -368,8 +369,8 @@ void add_extruded_sides(Primitive& mesh, std::span<const glm::vec2> outline, flo
     }
 }
 
-/// How far the rim of a broken column is below its full height. The rim is a slanted plane with notches. The
-/// result is identical on every machine.
+/// Returns how far the rim of a broken column is below the column's full height. The rim is a slanted plane
+/// with notches. The result is identical on every machine.
 float broken_off(const FlutedColumn& column, float around)
 {
     const float angle = turn_rad * around;
@@ -386,8 +387,8 @@ struct Rib {
     glm::vec2 normal;
 };
 
-/// Vertex lines of one flute of a column. Adjacent flutes share no vertices, because the two sides of the
-/// ridge between them have different normals.
+/// Returns the vertical lines of vertices of one flute of a column. Adjacent flutes share no vertices,
+/// because the two sides of the ridge between them have different normals.
 std::vector<Rib> flute_ribs(const FlutedColumn& column, uint32_t flute, uint32_t flutes, uint32_t parts)
 {
     std::vector<Rib> ribs;
@@ -520,7 +521,7 @@ Primitive stairs(float width, float rise, float run, uint32_t steps)
     steps = std::max(steps, 1U);
     const auto count = static_cast<float>(steps);
     // The outline of the stairs: x points back, away from the viewer. A vertical wall behind the last step
-    // closes it.
+    // closes the outline.
     std::vector<glm::vec2> outline{{0.0F, 0.0F}, {count * run, 0.0F}};
     for (uint32_t step = steps; step > 0; --step) {
         const auto at = static_cast<float>(step);

@@ -69,15 +69,15 @@ Cage welded(const Primitive& primitive)
     return cage;
 }
 
-/// Weight of each neighbour of a vertex with `valence` neighbours, in Loop subdivision.
+/// Returns the weight of each neighbour of a vertex with `valence` neighbours, in Loop subdivision.
 double neighbor_weight(uint32_t valence)
 {
     const double cosine = 0.375 + 0.25 * std::cos(2.0 * std::numbers::pi / valence);
     return (0.625 - cosine * cosine) / valence;
 }
 
-/// Moves the old vertices in a subdivision step: towards all their neighbours, or for border vertices towards
-/// their neighbours on the border.
+/// Moves the old vertices in a subdivision step: inner vertices move towards all their neighbours, border
+/// vertices only towards their neighbours on the border.
 void move_points(Cage& cage, const std::unordered_map<uint64_t, Edge>& edges, size_t point_count)
 {
     struct Around {

@@ -20,9 +20,9 @@ struct SideChange {
     glm::dvec2 normal;
 };
 
-/// Second fundamental form (xx, xy, yy) of a triangle by least squares, in inverse units of the positions. It
-/// is positive on a sphere. It is zero if the determinant of the normal equations, relative to its largest
-/// possible value, is not above `least_determinant`.
+/// Returns the second fundamental form (curvature; xx, xy, yy) of a triangle by least squares, in inverse
+/// units of the positions. The form is positive on a sphere. It is zero if the determinant of the normal
+/// equations, relative to its largest possible value, is not above `least_determinant`.
 ///
 /// Source  Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004
 [[nodiscard]] glm::dvec3 second_form(const std::array<SideChange, 3>& sides, double least_determinant);

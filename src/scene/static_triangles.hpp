@@ -27,10 +27,10 @@ struct StaticTriangles {
     glm::dvec3 anchor{0.0}; ///< the centre of the scene's rest pose; positions are relative to it
     std::vector<StaticDraw> draws;
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals; ///< unit
+    std::vector<glm::vec3> normals; ///< normals of the vertices, unit vectors
     std::array<std::vector<glm::vec2>, 2> uvs;
-    std::vector<glm::vec3> colors; ///< empty if no primitive has vertex colours
-    std::vector<bool> has_uv_1;    ///< per StaticDraw: whether it has a second set of texture coordinates
+    std::vector<glm::vec3> colors; ///< colours of the vertices; empty if no primitive has vertex colours
+    std::vector<bool> has_uv_1; ///< for each StaticDraw: whether it has a second set of texture coordinates
 
     [[nodiscard]] size_t count() const { return positions.size() / 3; }
 };
@@ -39,19 +39,19 @@ struct StaticTriangles {
 /// instance. Cost: linear in triangles drawn.
 [[nodiscard]] StaticTriangles static_triangles(const Scene& scene);
 
-/// Returns one flag per node: whether an animation moves the node or one of its ancestors. Cost: linear in
-/// nodes and animation channels.
+/// Returns for each node whether an animation moves the node or one of its ancestors. Cost: linear in nodes
+/// and animation channels.
 [[nodiscard]] std::vector<bool> moving_nodes(const Scene& scene);
 
-/// Whether a primitive of a node can move: with its node, by a skin, by morph targets, or as cloth. `moving`
-/// is the result of moving_nodes().
+/// Returns whether a primitive of a node can move: with its node, by a skin, by morph targets, or as cloth.
+/// `moving` is the result of moving_nodes().
 [[nodiscard]] bool can_move(const Scene& scene, const std::vector<bool>& moving, Index node,
                             const Primitive& primitive);
 
-/// Whether anything drawn can move.
+/// Returns whether any drawn object can move.
 [[nodiscard]] bool has_moving_parts(const Scene& scene);
 
-/// A fingerprint (16 hexadecimal digits) of the positions of the triangles and of the order of the draws.
+/// Returns a hash (16 hexadecimal digits) of the positions of the triangles and of the order of the draws.
 [[nodiscard]] std::string geometry_fingerprint(const StaticTriangles& triangles);
 
 } // namespace estampe

@@ -10,8 +10,8 @@
 namespace estampe {
 namespace {
 
-/// The rotation by a quarter or half turn that maps the axis `up` to +y. It is exact, because it permutes the
-/// axes.
+/// Returns the rotation by a quarter or half turn that maps the axis `up` to +y. The rotation is exact,
+/// because it only permutes the axes.
 glm::dmat3 rotation_of(UpAxis up)
 {
     constexpr glm::dvec3 x(1.0, 0.0, 0.0);
@@ -53,12 +53,13 @@ void turn_up(Scene& scene, UpAxis up)
 
 namespace {
 
-/// Areas of flat faces at the two ends of an axis, as shares of the bounding box's cross section.
+/// Areas of flat faces at the lower and upper end of the scene along an axis, as shares of the bounding box's
+/// cross section.
 struct Ends {
-    double base_outward = 0.0; ///< at the lower end, facing outwards: the underside of a solid
-    double base_inward = 0.0;  ///< at the lower end, facing inwards: a floor on which objects stand
-    double top = 0.0;          ///< at the upper end
-    double open_below = 0.0;   ///< projected area that the lower end lacks for a closed surface
+    double base_outward = 0.0; ///< faces at the lower end that face outwards: the underside of a solid
+    double base_inward = 0.0;  ///< faces at the lower end that face inwards: a floor on which objects stand
+    double top = 0.0;          ///< faces at the upper end
+    double open_below = 0.0;   ///< projected area that is missing at the lower end to close the surface
 };
 
 class Evidence {
@@ -103,7 +104,7 @@ public:
         return upper_ > lower_ && std::abs(lower_) <= flat_share * (upper_ - lower_);
     }
 
-    /// Whether the scene is thin along this axis. Terrain is thin along its up axis.
+    /// Returns whether the scene is thin along this axis. Terrain is thin along its up axis.
     [[nodiscard]] bool is_thin() const
     {
         return size_[axis_] < 0.25 * std::min(size_[(axis_ + 1) % 3], size_[(axis_ + 2) % 3]);
@@ -156,8 +157,8 @@ std::optional<UpAxis> guess_up_axis(const Scene& scene)
     const Ends y = along_y.ends();
     const Ends z = along_z.ends();
     const double base_y = std::max(y.base_outward, y.base_inward);
-    // The back wall of a room that is open to the viewer also faces inwards, at the lower end of z. Such a
-    // room also has a floor at the lower end of y, which shows that y is up.
+    // A room that is open to the viewer has a back wall, which also faces inwards, at the lower end of the z
+    // axis. Such a room also has a floor at the lower end of the y axis, which shows that y is up.
     constexpr double floor_share = 0.3;
     const double base_z = base_y < floor_share ? std::max(z.base_outward, z.base_inward) : z.base_outward;
     const double score_y = common_score(along_y) + base_y - y.top;

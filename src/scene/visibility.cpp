@@ -60,7 +60,7 @@ bool has_visible_light(const Scene& scene)
 
 namespace {
 
-/// Largest number of triangles to test. It is a fixed number, so that the test never takes longer than
+/// Largest number of triangles to test. The number is limited, so that the test does not take longer than
 /// drawing the scene.
 constexpr size_t most_triangles = 4'000'000;
 
@@ -70,7 +70,8 @@ public:
     View(const Camera& camera, double aspect)
         : view_from_world_(glm::lookAt(camera.eye, camera.target, camera.up))
     {
-        constexpr double margin = 1.02; // drawn lines extend beyond the surfaces that they outline
+        // factor that widens the view, because drawn lines extend beyond the surfaces that they outline.
+        constexpr double margin = 1.02;
         if (camera.orthographic_half_height_m) {
             const double half_m = margin * *camera.orthographic_half_height_m;
             sides_ = {glm::dvec4(1, 0, 0, aspect * half_m), glm::dvec4(-1, 0, 0, aspect * half_m),
@@ -84,7 +85,7 @@ public:
         has_eye_ = true;
     }
 
-    /// The same view in the space of a mesh whose transform is `world_from_mesh`.
+    /// Returns the same view in the space of a mesh whose transform is `world_from_mesh`.
     [[nodiscard]] View within(const glm::dmat4& world_from_mesh) const
     {
         View view = *this;
@@ -92,7 +93,7 @@ public:
         return view;
     }
 
-    /// Whether all points are outside of the same plane, so that nothing between them is in view.
+    /// Returns whether all points are outside of the same plane, so that nothing between them is in view.
     [[nodiscard]] bool excludes(std::span<const glm::dvec3> points) const
     {
         std::array<bool, 5> outside{true, true, true, true, true};
@@ -107,8 +108,8 @@ public:
         return true;
     }
 
-    /// Whether some part of the triangle is inside all planes. Slower than excludes(), but exact: a large
-    /// triangle can be out of view although its corners are outside of different planes.
+    /// Returns whether some part of the triangle is inside all planes. This test is slower than excludes(),
+    /// but exact: a large triangle can be out of view although its corners are outside of different planes.
     [[nodiscard]] bool holds_part_of(const std::array<glm::dvec3, 3>& corners) const
     {
         std::vector<glm::dvec4> polygon(corners.size());
@@ -134,7 +135,7 @@ public:
         return !polygon.empty();
     }
 
-    /// Whether the projected corners are in counter-clockwise order on the page.
+    /// Returns whether the projected corners are in counter-clockwise order on the page.
     [[nodiscard]] bool is_counterclockwise(const std::array<glm::dvec3, 3>& corners) const
     {
         const auto placed = [this](const glm::dvec3& corner) {
@@ -145,7 +146,7 @@ public:
         return has_eye_ ? glm::dot(normal, a) < 0.0 : normal.z > 0.0;
     }
 
-    /// Whether the box contains the eye. False for a parallel projection, which has no eye.
+    /// Returns whether the box contains the eye. Returns false for a parallel projection, which has no eye.
     [[nodiscard]] bool has_eye_in(const Bounds& box) const
     {
         const glm::dvec3 eye(glm::inverse(view_from_world_)[3]);
@@ -155,7 +156,8 @@ public:
 private:
     glm::dmat4 view_from_world_;
     std::array<glm::dvec4, 4> sides_{};
-    double near_m_ = -std::numeric_limits<double>::infinity(); ///< a parallel projection has no near plane
+    /// distance of the near plane; a parallel projection has no near plane.
+    double near_m_ = -std::numeric_limits<double>::infinity();
     bool has_eye_ = false;
 };
 
@@ -243,7 +245,7 @@ private:
         const bool moves_as_cloth = cloth_of(scene_, scene_.nodes[placed.node], primitive) != nullptr;
         if (primitive.topology != Topology::triangles || moves_as_cloth) {
             // Lines and points are drawn wider than their geometry, and cloth moves away from its rest
-            // position. So they always count as in view.
+            // position. Therefore lines, points and cloth always count as in view.
             found_.content = ViewContent::something;
             return false;
         }
@@ -278,7 +280,7 @@ private:
     const Scene& scene_;
     const View& view_;
     InView found_;
-    double size_m_ = 0.0; ///< size of the bounding box of found_.backs_of
+    double size_m_ = 0.0; ///< size of the bounding box of the node found_.backs_of
     size_t triangles_ = 0;
 };
 

@@ -9,7 +9,7 @@
 
 namespace estampe {
 
-/// Returns one flag per node: whether Node::visible is set for the node and all its ancestors. All code that
+/// Returns for each node whether Node::visible is set for the node and all its ancestors. All code that
 /// draws, lights, bounds or counts a scene calls this function, or works on a scene after hide_invisible().
 /// Cost: linear in nodes.
 [[nodiscard]] std::vector<bool> visible_nodes(const Scene& scene);
@@ -18,14 +18,18 @@ namespace estampe {
 /// nodes themselves are kept, because cameras, joints and the indices of other nodes refer to them.
 void hide_invisible(Scene& scene);
 
-/// Whether any visible node has a light.
+/// Returns whether any visible node has a light.
 [[nodiscard]] bool has_visible_light(const Scene& scene);
 
 /// What a camera can see of a scene.
 enum class ViewContent : uint8_t {
-    nothing,    ///< certain: everything is behind the camera, before its near plane or beside its view
-    backs_only, ///< certain: all surfaces in view are one-sided and face away, so none is drawn
-    something,  ///< possible: surfaces in view may still hide each other or cover no pixel
+    /// nothing is in view; certain: everything is behind the camera, before its near plane or beside its
+    /// view.
+    nothing,
+    /// only back faces are in view; certain: all surfaces in view are one-sided and face away, so none is
+    /// drawn.
+    backs_only,
+    something, ///< something may be in view, but surfaces may still hide each other or cover no pixel
 };
 
 /// Result of find_in_view(): what is in view, and a node whose back faces are in view.
@@ -39,7 +43,7 @@ struct InView {
 /// Tests what `camera` can see of the visible nodes on a page of this aspect (width / height). A scene with a
 /// terrain or without meshes always returns `something`. Cost: a box test for each mesh and each node, and
 /// triangle tests until a triangle in view is two-sided or faces the camera. After 4 million triangles the
-/// answer is `something`. Linear in vertices if meshes deform and nothing else is in view.
+/// result is `something`. The cost is linear in vertices if only deforming meshes are in view.
 [[nodiscard]] InView find_in_view(const Scene& scene, const ScenePose& pose, const Camera& camera,
                                   double aspect);
 

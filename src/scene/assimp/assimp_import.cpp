@@ -28,8 +28,8 @@
 namespace estampe {
 namespace {
 
-/// Spacing between adjacent floats at the vertex farthest from the mesh's origin, as a share of the mesh's
-/// size.
+/// Returns the distance between two adjacent floats at the vertex farthest from the mesh's origin, as a share
+/// of the mesh's size.
 double step_in_sizes(const Mesh& mesh)
 {
     Bounds bounds;
@@ -60,7 +60,7 @@ void warn_of_far_nodes(Scene& scene)
         shown += node.mesh != no_index ? 1 : 0;
     }
     const double step = farthest * static_cast<double>(std::numeric_limits<float>::epsilon());
-    // `unit_m` and the size of the scene are in the unit of the file, apart from the scale of the root node.
+    // Metres per unit of the file, which is the scale of the root node.
     const double unit_m =
         scene.roots.empty()
             ? 1.0
@@ -141,8 +141,8 @@ Index add_mesh(Conversion& conversion, const std::string& name, std::vector<Prim
     return static_cast<Index>(conversion.scene().meshes.size() - 1);
 }
 
-/// Adds a node for one skinned mesh. Assimp has a skin per mesh, Estampe one per node, so each skinned mesh
-/// needs its own node.
+/// Adds a node for one skinned mesh. In Assimp each mesh has a skin, in Estampe each node, so each skinned
+/// mesh needs its own node.
 void add_skinned(Conversion& conversion, unsigned source, Index parent)
 {
     const aiMesh& mesh = *conversion.source.mMeshes[source];
@@ -215,7 +215,7 @@ public:
     {
         std::error_code failed;
         return std::filesystem::is_regular_file(file, failed) &&
-               std::filesystem::file_size(file, failed) > 0; // files of /proc have no size
+               std::filesystem::file_size(file, failed) > 0; // files in the folder /proc have no size
     }
 
     Assimp::IOStream* Open(const char* file, const char* mode) override
@@ -279,9 +279,9 @@ TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& 
     return std::move(conversion.transfer);
 }
 
-/// Reads `path` with Assimp and converts the result to a scene. Runs in the child process, because Assimp may
-/// crash or hang on a malicious file. The geometry is not repaired yet: faces share no vertices, and normals
-/// exist only if the file has them. Throws Error or std::bad_alloc.
+/// Reads `path` with Assimp and converts the result to a scene. This function runs in the child process,
+/// because Assimp may crash or hang on a malicious file. The geometry is not repaired yet: faces share no
+/// vertices, and normals exist only if the file has them. Throws Error or std::bad_alloc.
 TransferScene read_with_assimp(const std::filesystem::path& path)
 {
     constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
@@ -310,9 +310,9 @@ uint64_t size_of_file(const std::filesystem::path& path)
     return size;
 }
 
-/// Converts light intensities to physical units. In FBX and DAE a light of intensity 1 lights a white surface
-/// fully. In Estampe this needs pi lux. For lamps, the conversion assumes a distance equal to the scene's
-/// size.
+/// Converts light intensities to physical units. In FBX and DAE, a light of intensity 1 makes a white surface
+/// fully bright. In Estampe this needs an intensity of pi lux. For lamps, the conversion assumes a distance
+/// equal to the scene's size.
 void give_lights_units(Scene& scene)
 {
     if (scene.lights.empty())

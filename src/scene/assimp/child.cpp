@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* try_others = "check that the file opens in other programs, or convert it to glTF";
 
-// First byte that the child process sends: it tells the parent that `work` succeeded.
+// First byte that the child process sends to the parent if `work` succeeded.
 constexpr std::byte went_well{'+'};
 constexpr std::byte threw{'-'};
 constexpr std::byte ran_out_of_memory{'m'};
@@ -103,7 +103,7 @@ void send(int pipe_end, std::span<const std::byte> bytes)
         send(pipe_end, {&threw, 1});
         send(pipe_end, std::as_bytes(std::span(error.what(), std::strlen(error.what()))));
     }
-    // Ends the child without destructors and exit handlers, because they belong to the parent.
+    // Ends the child without running destructors and exit handlers, because these belong to the parent.
     _exit(0);
 }
 

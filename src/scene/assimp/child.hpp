@@ -13,8 +13,8 @@ namespace estampe {
 struct ChildLimits {
     double wall_s = 120.0;
     uint32_t cpu_s = 60;
-    uint64_t memory_bytes = uint64_t{4} << 30; ///< in addition to what the parent has mapped; not enforced
-                                               ///< under sanitizers
+    /// Memory that the child may map in addition to the parent's; not enforced under sanitizers.
+    uint64_t memory_bytes = uint64_t{4} << 30;
 };
 
 /// Runs `work` in a forked child process without terminal output and returns the result of `work`. If `work`

@@ -236,9 +236,9 @@ glm::dvec3 exact(const aiVector3D& v)
     return {v.x, v.y, v.z};
 }
 
-/// Adds a child node at `place` that looks along `direction` to the node named `name`. It is needed because
-/// Assimp's lights and cameras have a position and direction within their node. Returns no_index if no node
-/// has this name.
+/// Adds a child node at `place` that looks along `direction` to the node named `name`. The child node is
+/// needed because Assimp's lights and cameras have a position and a direction within their node. Returns
+/// no_index if no node has this name.
 Index add_looking_node(Conversion& conversion, const aiString& name, const glm::dvec3& place,
                        const glm::dvec3& direction, const glm::dvec3& up)
 {
@@ -302,7 +302,8 @@ void add_channels(Conversion& conversion, const aiNodeAnim& source, double ticks
     add(channel_of(index, AnimatedPath::scale, source.mScalingKeys, source.mNumScalingKeys, ticks_per_s,
                    put_vector));
 
-    // The keys animate translation, rotation and scale, so an animated node must store these and no matrix.
+    // The keys animate translation, rotation and scale, so an animated node must store these three values
+    // instead of a matrix.
     Node& node = conversion.scene().nodes[index];
     if (!node.matrix)
         return;

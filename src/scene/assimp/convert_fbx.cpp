@@ -15,8 +15,8 @@
 namespace estampe {
 namespace {
 
-/// Defines the upward direction of an object that looks at a target. It is the direction to `node` if that is
-/// set, else `direction` in world space.
+/// Defines the upward direction of an object that looks at a target. If `node` is set, up is the direction to
+/// this node; otherwise up is `direction` in world space.
 struct Upward {
     glm::dvec3 direction{0.0, 1.0, 0.0};
     Index node = no_index;
@@ -84,7 +84,7 @@ std::vector<bool> nodes_above(const Scene& scene, std::initializer_list<Index> n
     return above;
 }
 
-/// Number of samples of an animated direction: one per frame, or fewer if so many would take too long.
+/// Number of samples of an animated direction: one per frame, or fewer if the animation is very long.
 size_t sample_count(const Scene& scene, float duration_s)
 {
     constexpr double most_node_samples = 2e7;
@@ -102,7 +102,7 @@ AnimationChannel aimed_channel(const Scene& scene, Index animation, Index lookin
     const size_t count = sample_count(scene, duration_s);
     for (size_t i = 0; i < count; ++i) {
         const float time_s = duration_s * static_cast<float>(i) / static_cast<float>(count - 1);
-        // At its exact end an animation already wraps to its beginning, so it is evaluated just before.
+        // At its exact end an animation wraps to its beginning, so it is evaluated just before its end.
         const double just_before_s = std::min<double>(time_s, 0.999999 * duration_s);
         const std::optional<glm::dquat> turn =
             turn_at(scene, pose_scene(scene, just_before_s, animation), looking, target, upward);
@@ -116,7 +116,7 @@ AnimationChannel aimed_channel(const Scene& scene, Index animation, Index lookin
 }
 
 /// Rotates the node `looking` so that its -z points at the origin of the node `target`, in the rest pose and
-/// in every animation that moves one of them. A node at the position of its target is not changed.
+/// in every animation that moves one of the two nodes. A node at the position of its target is not changed.
 void aim_node(Scene& scene, Index looking, Index target, const Upward& upward)
 {
     const std::optional<glm::dquat> turn =
@@ -180,7 +180,7 @@ NodeOfModel match_nodes(const Conversion& conversion, const fbx::Document& docum
     return matched;
 }
 
-/// `name` is a copy, because it may be the name of a node, which adding the child may move in memory.
+/// `name` is passed by value, because it may belong to a node that moves in memory when the child is added.
 Index add_child(Scene& scene, Index parent, std::string name, const glm::dmat4& matrix)
 {
     const auto index = static_cast<Index>(scene.nodes.size());
@@ -192,7 +192,7 @@ Index add_child(Scene& scene, Index parent, std::string name, const glm::dmat4& 
     return index;
 }
 
-/// Applies `geometry` to the mesh of a node, but not to the node's children.
+/// Applies the transform `geometry` to the mesh of a node, but not to the node's children.
 void place_geometry(Scene& scene, Index index, const glm::dmat4& geometry)
 {
     if (geometry == glm::dmat4(1.0))
@@ -268,13 +268,13 @@ void place_nodes(Scene& scene, const fbx::Document& document, const NodeOfModel&
         place_node(scene, index, fbx::parts_of(document.models.at(id).properties), is_animated[index]);
 }
 
-/// Upward direction of a camera or light that looks at a target.
+/// Returns the upward direction of a camera or light that looks at a target.
 Upward upward_of(const fbx::Model& model, const fbx::Properties& attribute, const fbx::Document& document,
                  const NodeOfModel& nodes)
 {
     Upward upward;
     upward.roll_rad = glm::radians(attribute.number("Roll").value_or(0.0));
-    // Exporters write the y axis if the up vector is unset, whatever the up axis of the file is.
+    // Exporters write the y axis if the up vector is unset, regardless of the up axis of the file.
     const glm::dvec3 unset(0.0, 1.0, 0.0);
     const glm::dvec3 chosen = attribute.vector("UpVector").value_or(unset);
     const glm::dvec3 up = chosen == unset ? fbx::up_of_file(document.settings) : chosen;
@@ -305,7 +305,8 @@ Index light_below(const Scene& scene, Index parent)
     return no_index;
 }
 
-/// Whether a model is a viewport camera of the exporting program. Viewport cameras are not part of the scene.
+/// Returns whether a model is a viewport camera of the exporting program. Viewport cameras are not part of
+/// the scene.
 bool is_view_of_program(const fbx::Model& model)
 {
     constexpr std::array<std::string_view, 7> views{"Perspective", "Front", "Back",  "Right",
@@ -345,8 +346,8 @@ void add_attributes(Scene& scene, const fbx::Document& document, const NodeOfMod
 
 std::optional<double> frames_per_s(const fbx::Properties& settings)
 {
-    // Frames per second for each FBX time mode. 0 means that the mode has no fixed rate; mode 14 is the
-    // custom rate.
+    // Frames per second for each FBX time mode. The value 0 means that the mode has no fixed rate. Mode 14 is
+    // a custom rate.
     constexpr std::array<double, 19> rates{0.0,  120.0, 100.0,  60.0,   50.0, 48.0, 30.0, 30.0,  29.97, 29.97,
                                            25.0, 24.0,  1000.0, 23.976, 0.0,  96.0, 72.0, 59.94, 119.88};
     constexpr double custom = 14.0;
@@ -383,7 +384,8 @@ bool is_set_to_zero(const fbx::Properties& properties, std::string_view name)
 void hide_own(Scene& scene, Index index, const std::vector<bool>& is_model)
 {
     for (const Index child : scene.nodes[index].children)
-        if (child >= is_model.size() || !is_model[child]) // larger indices: nodes that hiding has added
+        // larger indices belong to nodes that were added by this function.
+        if (child >= is_model.size() || !is_model[child])
             scene.nodes[child].visible = false;
     if (scene.nodes[index].mesh == no_index && scene.nodes[index].light == no_index)
         return;

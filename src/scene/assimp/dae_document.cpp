@@ -23,7 +23,8 @@
 namespace estampe::dae {
 namespace {
 
-constexpr double usual_aspect = 16.0 / 9.0; ///< for cameras with only a width; the page is not known yet
+/// width / height that is assumed for a camera with only a width, because the page is not known yet.
+constexpr double usual_aspect = 16.0 / 9.0;
 
 double unit_m(const pugi::xml_node& collada)
 {
@@ -37,8 +38,8 @@ std::optional<double> positive(const pugi::xml_node& optics, const char* name)
     return number > 0.0 && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// Computes a height from those of height, width and aspect ratio that the file specifies. Inputs must be
-/// proportional to lengths: tangents of angles, not angles.
+/// Computes a height from the height, the width and the aspect ratio in the file, of which some may be
+/// missing. Width and height must be proportional to lengths: tangents of angles, not angles.
 std::optional<double> height_of(const std::optional<double>& width, const std::optional<double>& height,
                                 const std::optional<double>& aspect)
 {
@@ -82,8 +83,9 @@ void add_number(pugi::xml_node parent, const char* name, double value)
 }
 
 /// Reads the lenses of all cameras, in metres and radians. Replaces each camera in the document by a
-/// perspective camera whose far plane is its index, see lens_index(). The reason is that Assimp does not
-/// support parallel projections, and computes a wrong angle for a camera with only a vertical field of view.
+/// perspective camera. The far plane of this camera is set to the camera's index, see lens_index(). The
+/// reason is that Assimp does not support parallel projections, and computes a wrong angle for a camera with
+/// only a vertical field of view.
 std::vector<SceneCamera> number_cameras(const pugi::xml_node& collada)
 {
     const double metres = unit_m(collada);
@@ -134,7 +136,8 @@ pugi::xml_node child_with_id(const pugi::xml_node& parent, const char* name, con
     return parent.find_child_by_attribute(name, "id", id.c_str());
 }
 
-/// The array of vertex positions of a mesh. Null unless the array has exactly three numbers per vertex.
+/// Returns the array of vertex positions of a mesh. Null unless the array has exactly three numbers per
+/// vertex.
 pugi::xml_node place_array(const pugi::xml_node& mesh)
 {
     const pugi::xml_node input =
@@ -196,7 +199,7 @@ bool move_places(pugi::xml_node array, glm::dvec3& offset)
     return array.text().set(fmt::to_string(text).c_str());
 }
 
-/// Ids of the geometries that a skin or a morph refers to.
+/// Returns the ids of all geometries that a skin or a morph target refers to.
 std::set<std::string> bent_geometries(const pugi::xml_node& collada)
 {
     std::set<std::string> bent;
@@ -249,9 +252,9 @@ void displace(const pugi::xml_node& instance, const glm::dvec3& offset)
     between.append_move(instance);
 }
 
-/// Moves vertices that are far from their origin to it, and their nodes by the opposite offset. The offset is
-/// exactly representable as a float. Skinned and morphed meshes are not moved. Returns whether anything was
-/// moved.
+/// Moves vertices that are far from their mesh's origin to the origin, and moves their nodes by the opposite
+/// offset. The offset is exactly representable as a float. Skinned and morphed meshes are not moved. Returns
+/// whether anything was moved.
 bool move_to_origin(const pugi::xml_node& collada)
 {
     const std::set<std::string> bent = bent_geometries(collada);
@@ -278,7 +281,7 @@ bool is_blank(char letter)
     return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\n';
 }
 
-/// Whether a word is NaN as Windows programs print it, such as "-1.#IND".
+/// Returns whether a word is NaN (not a number) as Windows programs print it, such as "-1.#IND".
 bool is_windows_nan(std::string_view word)
 {
     return word.find(".#") != std::string_view::npos;
@@ -307,7 +310,7 @@ std::string tidied(std::string_view text)
     return result;
 }
 
-/// Whether an element contains a file name, in which runs of blanks must not be changed.
+/// Returns whether an element contains a file name, in which runs of blanks must not be changed.
 bool holds_a_path(const pugi::xml_node& text)
 {
     const std::string_view parent = text.parent().name();

@@ -23,8 +23,8 @@ struct TransferScene {
 [[nodiscard]] std::vector<std::byte> pack(const TransferScene& transfer);
 
 /// Deserialises a scene that pack() has serialised. Throws Error, with `where` as its place, when the bytes
-/// end early, a count is larger than the bytes that follow, or an enumeration has an unknown value. Does not
-/// check whether indices are in range or numbers are finite.
+/// end too early, when a count is larger than the number of bytes that follow, or when an enumeration has an
+/// unknown value. Does not check whether indices are in range or numbers are finite.
 [[nodiscard]] TransferScene unpack(std::span<const std::byte> bytes, const std::string& where);
 
 } // namespace estampe

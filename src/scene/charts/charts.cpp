@@ -10,8 +10,8 @@
 namespace estampe::charts {
 namespace {
 
-/// Whether `axis` separates two triangles: their projections on it overlap by at most 1e-4 of the shorter
-/// one.
+/// Returns whether `axis` separates two triangles. It does if the projections of the triangles onto the axis
+/// overlap by at most 1e-4 of the shorter projection.
 bool separates(const glm::vec2& axis, const FlatTriangle& a, const FlatTriangle& b)
 {
     constexpr float tolerance = 1e-4F;
@@ -148,7 +148,8 @@ std::vector<Face> faces_of(std::span<const glm::vec3> corners)
         }
     }
     const std::vector<uint32_t> vertices = welded(corners);
-    std::vector<std::tuple<uint32_t, uint32_t, uint32_t>> edges; // two vertices, and their triangle
+    // each edge: two vertices, and the triangle to which the edge belongs.
+    std::vector<std::tuple<uint32_t, uint32_t, uint32_t>> edges;
     for (uint32_t i = 0; i < vertices.size(); ++i) {
         const uint32_t next = vertices[i % 3 == 2 ? i - 2 : i + 1];
         edges.emplace_back(std::min(vertices[i], next), std::max(vertices[i], next), i / 3);
@@ -230,8 +231,8 @@ private:
         return face.area_m2 > 0.0F && glm::dot(face.normal, plane.normal) >= least_cosine;
     }
 
-    /// Grows a chart: returns the triangles that are reachable from `seed` across edges and fit to `plane`,
-    /// in the order in which they are reached.
+    /// Grows a chart: returns the triangles that are reachable from `seed` across edges and are nearly
+    /// parallel to `plane`, in the order in which they are reached.
     std::vector<uint32_t> grown(uint32_t seed, const Plane& plane)
     {
         ++round_;
@@ -261,7 +262,7 @@ private:
     std::span<const glm::vec3> corners_;
     std::vector<Face> faces_;
     std::vector<bool> taken_;
-    std::vector<uint32_t> queued_by_; ///< per triangle: last round in which it was tried
+    std::vector<uint32_t> queued_by_; ///< for each triangle: number of the last round in which it was tried
     uint32_t round_ = 0;
     float cell_m_ = 1.0F;
 };
@@ -280,7 +281,7 @@ glm::vec2 extent(const std::vector<glm::vec2>& corners, float angle_rad, glm::ve
     return high - low;
 }
 
-/// Rotates a chart so that its bounding box gets small. Tries the direction of the longest edge and twelve
+/// Rotates a chart so that its bounding box becomes small. Tries the direction of the longest edge and twelve
 /// fixed directions.
 void settle(Chart& chart)
 {

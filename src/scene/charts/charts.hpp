@@ -18,7 +18,8 @@ namespace estampe::charts {
 /// Adjacent triangles that are nearly coplanar, and their projection into the plane.
 struct Chart {
     std::vector<uint32_t> triangles;
-    std::vector<glm::vec2> corners_m; ///< three per triangle, in metres of the surface; never negative
+    /// positions of the corners in the chart, three per triangle, in metres on the surface; never negative.
+    std::vector<glm::vec2> corners_m;
     glm::vec2 size_m{0.0F};
 };
 
@@ -28,8 +29,9 @@ inline constexpr float steepest_lean_rad = 0.785F;
 
 /// Cuts triangles into charts whose triangles do not overlap in the projection. `corners` holds three
 /// positions per triangle. Triangles with zero area belong to no chart. A chart starts at the largest free
-/// triangle and grows across shared edges while normals agree (after Cohen-Steiner et al., "Variational Shape
-/// Approximation", 2004, with one refit). The result is deterministic. Cost: about 2 us per triangle.
+/// triangle and grows across shared edges while the normals are similar (after Cohen-Steiner et al.,
+/// "Variational Shape Approximation", 2004, with one refit). The same input always gives the same result.
+/// Cost: about 2 us per triangle.
 [[nodiscard]] std::vector<Chart> cut_charts(std::span<const glm::vec3> corners);
 
 /// Makes one chart of the texture coordinates in the file. Returns nothing if triangles overlap in texture
@@ -39,8 +41,10 @@ inline constexpr float steepest_lean_rad = 0.785F;
 
 /// Positions of the charts in a square texture, the atlas.
 struct Atlas {
-    uint32_t size = 0;               ///< texels per side
-    std::vector<glm::vec2> corners;  ///< three per triangle, in texels from the top left; texel centres at .5
+    uint32_t size = 0; ///< texels per side of the atlas
+    /// positions of the corners in the atlas, three per triangle, in texels from the top left; texel centres
+    /// at .5.
+    std::vector<glm::vec2> corners;
     std::vector<uint32_t> triangles; ///< indices of the triangles that are in the atlas
     float texels_per_m = 0.0F;
 };
@@ -49,9 +53,9 @@ struct Atlas {
 /// filters do not read texels of other charts.
 inline constexpr uint32_t gutter = 2;
 
-/// Packs the charts into a square of `size` texels, as large as possible (with the skyline packer of stb).
-/// `triangle_count` counts all triangles, including those in no chart. Throws Error when the charts do not
-/// fit even at the smallest scale. Cost: about ten packings of all charts.
+/// Packs the charts into a square of `size` texels, at the largest possible scale (with the skyline packer of
+/// the library stb). `triangle_count` counts all triangles, including those in no chart. Throws Error when
+/// the charts do not fit even at the smallest scale. Cost: about ten packings of all charts.
 [[nodiscard]] Atlas pack_charts(std::span<const Chart> charts, size_t triangle_count, uint32_t size);
 
 /// A texel of the atlas that is inside a triangle or next to one.
@@ -62,15 +66,18 @@ struct Texel {
     glm::vec2 weights{0.0F};
 };
 
-/// All texels at most one texel away from a triangle, sorted by `place`. Cost: linear in texels.
+/// Returns all texels that are at most one texel away from a triangle, sorted by `place`. Cost: linear in
+/// texels.
 [[nodiscard]] std::vector<Texel> covered_texels(const Atlas& atlas);
 
 using FlatTriangle = std::array<glm::vec2, 3>;
 
-/// Whether the interiors of two triangles intersect. Triangles that only share an edge or a corner do not.
+/// Returns whether the interiors of two triangles intersect. Triangles that only share an edge or a corner do
+/// not intersect.
 [[nodiscard]] bool overlap(const FlatTriangle& a, const FlatTriangle& b);
 
-/// Triangles in a plane that do not overlap each other, with a grid that finds the neighbours of a new one.
+/// Triangles in a plane that do not overlap each other, with a grid to find quickly the triangles near a new
+/// triangle.
 class OverlapGrid {
 public:
     explicit OverlapGrid(float cell_m) : cell_m_(cell_m) {}

@@ -40,13 +40,14 @@ std::vector<stbrp_rect> packed(std::span<const Chart> charts, uint32_t size, dou
     std::vector<stbrp_node> nodes(size);
     const auto side = static_cast<int>(size);
     stbrp_init_target(&context, side, side, nodes.data(), side);
-    // Skips stb if there are no rectangles, because stb would sort a null pointer.
+    // Skips the packing by the library stb if there are no rectangles, because stb would sort a null pointer.
     const bool all_fit = rectangles.empty() || stbrp_pack_rects(&context, rectangles.data(),
                                                                 static_cast<int>(rectangles.size())) != 0;
     return all_fit ? rectangles : std::vector<stbrp_rect>();
 }
 
-/// Barycentric weights of the second and third corner, for the point of the triangle nearest to the origin.
+/// Returns the barycentric weights of the second and third corner, for the point of the triangle nearest to
+/// the origin.
 glm::vec2 nearest_weights(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, float& distance_2)
 {
     const glm::vec2 ab = b - a;

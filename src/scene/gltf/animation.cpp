@@ -101,7 +101,8 @@ std::optional<Target> target_of(Data& data, const Scene& scene, const tinygltf::
     return Target{.node = static_cast<Index>(source.target_node), .path = *path};
 }
 
-/// Number of floats per key, without the tangents of cubic splines. 0 if there is nothing to animate.
+/// Returns the number of floats per key, without the tangents of cubic splines. Returns 0 if there is nothing
+/// to animate.
 size_t key_width(const Scene& scene, const AnimationChannel& channel)
 {
     switch (channel.path) {

@@ -29,12 +29,14 @@ constexpr double max_offset = 1099511627776.0;
 struct Rule {
     std::string_view key;
     Kind kind = Kind::object;
-    std::string target; ///< array that an index refers to, schema of an object, or valid words
+    /// depends on the type: name of the array that an index refers to, name of an object's schema, or list of
+    /// valid words.
+    std::string target;
     bool required = false;
     double min = -max_number;
     double max = max_number;
     Kind entry = Kind::object; ///< type of the entries of a list
-    int length = -1;           ///< number of entries of a list; negative means any number
+    int length = -1;           ///< number of entries of a list; negative: any number
 };
 
 Rule required(Rule rule)
@@ -288,7 +290,7 @@ Schemas all_schemas()
     return all;
 }
 
-/// The rules for one type of glTF object, such as "root", "accessor" or "node".
+/// Returns the rules for one type of glTF object, such as "root", "accessor" or "node".
 std::span<const Rule> rules_of(std::string_view schema)
 {
     static const Schemas schemas = all_schemas();
@@ -453,7 +455,7 @@ private:
     std::string place_;
 };
 
-/// Checks that a camera has the object (perspective or orthographic) that its type names.
+/// Checks that a camera has the object (perspective or orthographic) that the camera's type names.
 void check_cameras(const json& document, const std::string& file)
 {
     const json cameras = document.value("cameras", json::array());

@@ -20,16 +20,17 @@
 
 namespace estampe::gltf {
 
-/// Whether the importer understands this extension.
+/// Returns whether the importer supports this extension.
 [[nodiscard]] bool knows_extension(std::string_view name);
 
-/// Whether a file can be drawn correctly enough although the importer does not support this extension. True
-/// for extensions that change only materials, pictures or lights, or that add data which is not drawn (sound,
-/// physics, metadata). False for all other extensions, because they may change the geometry.
+/// Returns whether a file can be drawn correctly enough although the importer does not support this
+/// extension. Returns true for extensions that change only materials, pictures or lights, or that add data
+/// which is not drawn (sound, physics, metadata). Returns false for all other extensions, because they may
+/// change the geometry.
 [[nodiscard]] bool can_do_without(std::string_view name);
 
-/// Name of the picture format, such as "AVIF", that a texture extension adds and the importer cannot decode.
-/// Nothing for other extensions.
+/// Returns the name of the picture format, such as "AVIF", if a texture extension adds a format that the
+/// importer cannot decode. Returns nothing for other extensions.
 [[nodiscard]] std::optional<std::string_view> unread_picture_format(std::string_view extension);
 
 /// Collects the textures that materials use, then decodes each picture once.
@@ -45,13 +46,14 @@ public:
     /// one white pixel, with a warning. Appends names of files that could not be opened to `missing_files`.
     [[nodiscard]] std::vector<Texture> decode(std::vector<std::string>& missing_files);
 
-    /// Whether decode() replaced the picture of a texture by a white pixel. Only valid after decode().
+    /// Returns whether decode() replaced the picture of a texture by a white pixel. Only valid after
+    /// decode().
     [[nodiscard]] bool is_lost(Index texture) const;
 
 private:
     struct Use {
         int texture = -1;
-        int image = -1; ///< negative if the texture has no picture that can be decoded
+        int image = -1; ///< index of the image; negative if the texture has no picture that can be decoded
         std::string_view unread_format;
         Wrap wrap_u = Wrap::repeat;
         Wrap wrap_v = Wrap::repeat;
@@ -69,22 +71,24 @@ private:
     void warn_of_unread(const Use& use);
 
     Data& data_;
-    std::vector<int> first_of_same_; ///< per image of the file: the first image with the same file or bytes
+    /// for each image of the file: the first image with the same file or bytes.
+    std::vector<int> first_of_same_;
     std::map<std::tuple<int, int, Wrap, Wrap>, Index> index_of_;
     std::vector<Use> uses_;
     std::vector<bool> lost_;
 };
 
-/// The material of a primitive for each variant of the file (KHR_materials_variants). Variants that do not
-/// change the material have `no_index`. The list is empty if no variant changes the material. If a variant is
+/// Returns the material of a primitive for each variant of the file (KHR_materials_variants), or `no_index`
+/// if the variant does not change the material. The list is empty if no variant changes it. If a variant is
 /// mapped twice, warns and uses the first mapping.
 [[nodiscard]] std::vector<Index> variant_materials(Data& data, const tinygltf::Primitive& source,
                                                    const std::string& pointer);
 
-/// A decoded Draco stream: a triangle list, and attributes as floats, converted as their accessors specify.
+/// A decoded Draco stream: a list of triangles, and vertex attributes, which are converted to floats as their
+/// accessors specify.
 struct DracoMesh {
     std::map<std::string, std::vector<float>> attributes;
-    std::vector<uint32_t> indices; ///< three per triangle
+    std::vector<uint32_t> indices; ///< vertex indices, three per triangle
 
     [[nodiscard]] const std::vector<float>* attribute(const std::string& name) const
     {
@@ -104,9 +108,9 @@ struct DracoMesh {
 /// `primitive` has its final triangles, but still the vertices of the file. `indices` are the indices in the
 /// file, in the order of its topology. Edges with the values 2 and 3 (hard, hard repeated) and the edges of
 /// `lineStrings` are marked. Values 0 and 1 (hidden, silhouette) are ignored, because the renderer finds
-/// outlines itself. A mark applies to every triangle of the primitive that uses both vertices of the edge. A
-/// warning counts the edges that belong to no triangle. Throws Error with a pointer when accessors do not
-/// fit. Cost: n log n in marked edges.
+/// outlines itself. If an edge is marked, it is marked in every triangle of the primitive that uses both its
+/// vertices. A warning counts the marked edges that belong to no triangle. Throws Error with a pointer when
+/// accessors do not fit. Cost: n log n in marked edges.
 void read_edge_marks(Data& data, const tinygltf::Primitive& source, std::span<const uint32_t> indices,
                      Primitive& primitive, const std::string& pointer);
 
@@ -122,7 +126,7 @@ void import_meshes(Data& data, Scene& scene);
 void import_nodes(Data& data, Scene& scene);
 
 /// Finds cloth by the names or extras of nodes and materials. The red channel of the vertex colours of cloth
-/// defines how strongly a vertex is held in place. These colours are not drawn.
+/// defines how strongly a vertex is held in place. These vertex colours are not drawn.
 void import_cloth(Data& data, const std::map<Index, Index>& held_textures, Scene& scene);
 
 void import_animations(Data& data, Scene& scene);

@@ -26,8 +26,8 @@ namespace {
 struct MeshoptLayout {
     uint64_t count = 0;
     uint64_t stride = 0;
-    std::string mode;   ///< ATTRIBUTES, TRIANGLES or INDICES
-    std::string filter; ///< NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
+    std::string mode;   ///< mode of the compression: ATTRIBUTES, TRIANGLES or INDICES
+    std::string filter; ///< filter of the compression: NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
 };
 
 /// Throws Error for parameters that the decoders of meshoptimizer only check with assertions.
@@ -92,8 +92,8 @@ const tinygltf::Value* compression_of(const tinygltf::BufferView& view)
     return found == view.extensions.end() ? nullptr : &found->second;
 }
 
-/// Whether a buffer may have no bytes. This is allowed for a fallback buffer, which only readers without the
-/// extension use: only compressed views refer to it.
+/// Returns whether a buffer may have no bytes. This is allowed for a fallback buffer, to which only
+/// compressed views refer. Only programs without the extension read its bytes.
 bool is_fallback(const tinygltf::Model& model, size_t buffer)
 {
     for (const tinygltf::BufferView& view : model.bufferViews) {
@@ -124,7 +124,8 @@ Data::Data(Document document, const Container& container, std::string file,
 
 void Data::load_buffers(const Container& container)
 {
-    // Reads each file only once, up to the largest length that its buffers declare.
+    // For each file: index of its buffer with the largest declared length. Each file is read only once, up to
+    // this length.
     std::map<std::string_view, size_t> longest;
     for (size_t i = 0; i < document_.buffers.size(); ++i) {
         const BufferSource& source = document_.buffers[i];

@@ -21,7 +21,7 @@
 
 namespace estampe::gltf {
 
-/// The two parts of a glTF file: the JSON text, and the binary chunk (.glb only).
+/// The two parts of a glTF file: the JSON text, and the binary chunk, which only .glb files have.
 struct Container {
     std::string_view json;
     std::optional<std::span<const std::byte>> binary;
@@ -47,10 +47,10 @@ struct Container {
 /// a name with a zero byte.
 [[nodiscard]] std::optional<std::string> decode_relative_uri(std::string_view uri);
 
-/// Location of a buffer's bytes. Stored outside of tinygltf's model, because tinygltf would read the buffers
-/// itself.
+/// Location of a buffer's bytes. The location is stored outside of tinygltf's model, because tinygltf would
+/// read the buffers itself.
 struct BufferSource {
-    std::string uri; ///< empty for the binary chunk, or for an unused fallback buffer
+    std::string uri; ///< URI of the buffer; empty for the binary chunk, or for an unused fallback buffer
     uint64_t byte_length = 0;
 };
 
@@ -62,16 +62,17 @@ struct ImageSource {
 };
 
 struct Document {
-    tinygltf::Model model; ///< without buffers, images, and the indices of primitives
+    /// the file as tinygltf parsed it, without buffers, images, and the indices of primitives.
+    tinygltf::Model model;
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
 
-    /// The index accessor of each primitive of each mesh; -1 for a primitive without indices. Stored here
-    /// because tinygltf refuses index accessors without a buffer view, which glTF allows.
+    /// The index accessor of each primitive of each mesh; -1 for a primitive without indices. The accessors
+    /// are stored here because tinygltf rejects index accessors without a buffer view, which glTF allows.
     std::vector<std::vector<int>> indices;
 
-    /// Names of the material variants (KHR_materials_variants). Stored here because tinygltf drops variants
-    /// without a name.
+    /// Names of the material variants (KHR_materials_variants). The names are stored here because tinygltf
+    /// leaves out variants without a name.
     std::vector<std::string> variants;
 };
 
@@ -92,8 +93,8 @@ inline constexpr const char* our_key = "estampe";
 
 /// A glTF file during its import: the parsed document and bounds-checked access to its bytes.
 ///
-/// Every read reduces a budget of a few hundred times the size of the files, so that a small file cannot
-/// request a huge scene. All members throw Error with `file#/json/pointer`.
+/// Every read uses up a part of a memory budget, which is a few hundred times the size of the files. A small
+/// file can therefore not create a huge scene. All members throw Error with `file#/json/pointer`.
 class Data {
 public:
     /// Reads every buffer of the file. Without a `folder`, external files cannot be read.
@@ -110,14 +111,14 @@ public:
 
     [[nodiscard]] const std::string& file() const { return file_; }
 
-    /// The bytes of a buffer view, decompressed.
+    /// Returns the bytes of a buffer view, decompressed.
     [[nodiscard]] std::span<const std::byte> view(int index) const
     {
         return views_[static_cast<size_t>(index)];
     }
 
-    /// The bytes of a data URI, or of an external file whose path is relative to the document. Throws Error
-    /// with the name of the resource as its place.
+    /// Returns the bytes of a data URI, or of an external file whose path is relative to the document. Throws
+    /// Error with the name of the resource as its place.
     [[nodiscard]] std::vector<std::byte> resource(const std::string& uri) const;
     [[nodiscard]] std::string resource_name(const std::string& uri) const;
 
@@ -171,12 +172,12 @@ private:
 template <typename Vector>
 [[nodiscard]] std::vector<Vector> read_vectors(Data& data, int accessor, float fill = 0.0F);
 
-/// JSON pointer of an accessor, such as "/accessors/3".
+/// Returns the JSON pointer of an accessor, such as "/accessors/3".
 [[nodiscard]] std::string accessor_pointer(int accessor);
 
 [[nodiscard]] const tinygltf::Accessor& accessor_of(const Data& data, int accessor);
 
-/// Number of components per element of an accessor: 1 for SCALAR, 16 for MAT4.
+/// Returns the number of components per element of an accessor: 1 for SCALAR, 16 for MAT4.
 [[nodiscard]] int component_count(const tinygltf::Accessor& accessor);
 
 /// Checks that every accessor of the file, used or unused, fits into its buffer view.

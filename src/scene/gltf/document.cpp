@@ -60,7 +60,7 @@ bool is_binary(std::span<const std::byte> bytes)
     return std::memcmp(bytes.data(), magic.data(), std::min(bytes.size(), magic.size())) == 0;
 }
 
-/// The length of the whole file, as declared in the header of a .glb file.
+/// Returns the length of the whole file, as declared in the header of a .glb file.
 uint32_t promised_length(std::span<const std::byte> bytes, const std::string& file)
 {
     if (bytes.size() < header_bytes) {
@@ -116,8 +116,8 @@ Container open_binary(std::span<const std::byte> bytes, const std::string& file)
     return container;
 }
 
-/// Converts a byte offset in the JSON to a place for messages: "file:line:column" for text, "file:byte N" for
-/// binary.
+/// Converts a byte offset in the JSON text to a place for messages: "file:line:column" in a text file,
+/// "file:byte N" in a binary file.
 std::string place_in_json(const Container& container, const std::string& file, size_t json_byte)
 {
     if (container.is_binary) {
@@ -125,7 +125,8 @@ std::string place_in_json(const Container& container, const std::string& file, s
     }
     const std::string_view before = container.json.substr(0, std::min(json_byte, container.json.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    const size_t line_start = before.rfind('\n') + 1; // if nothing is found, npos + 1 is 0
+    // if there is no line end, npos + 1 is 0, the start of the first line.
+    const size_t line_start = before.rfind('\n') + 1;
     return fmt::format("{}:{}:{}", file, line, before.size() - line_start + 1);
 }
 
@@ -369,8 +370,8 @@ std::vector<std::string> variant_names(const json& document)
     return names;
 }
 
-/// Adds a target node to animation channels without one. glTF allows such channels, but tinygltf rejects
-/// them.
+/// Adds a target node to animation channels that have no target node. glTF allows such channels, but tinygltf
+/// rejects them.
 void complete_channels(json& document)
 {
     for (json& animation : document["animations"]) {

@@ -8,7 +8,7 @@ namespace estampe::gltf {
 namespace {
 
 constexpr auto extension_name = "EXT_mesh_primitive_edge_visibility";
-constexpr uint32_t hard = 2; // this value and larger values mark an edge
+constexpr uint32_t hard = 2; // smallest visibility value of a marked edge; larger values mark the edge too
 
 /// The set of marked edges. The key of an edge has the smaller vertex index in its upper 32 bits.
 class MarkedEdges {
@@ -22,7 +22,7 @@ public:
         is_met_.assign(keys_.size(), false);
     }
 
-    /// Whether an edge is marked. Also records that at least one triangle has this edge.
+    /// Returns whether an edge is marked. Also records that at least one triangle has this edge.
     bool meet(uint32_t a, uint32_t b)
     {
         const auto found = std::ranges::lower_bound(keys_, key(a, b));
@@ -52,8 +52,8 @@ size_t triangle_count(int mode, size_t index_count)
     return mode == TINYGLTF_MODE_TRIANGLES ? index_count / 3 : std::max<size_t>(index_count, 2) - 2;
 }
 
-/// The corners of a triangle in the order that glTF specifies. The bits of edge visibility refer to this
-/// order.
+/// Returns the corners of a triangle in the order that glTF specifies. The bits of edge visibility refer to
+/// this order.
 std::array<uint32_t, 3> corners_of(int mode, std::span<const uint32_t> indices, size_t triangle)
 {
     switch (mode) {

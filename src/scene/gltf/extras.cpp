@@ -52,7 +52,8 @@ namespace {
 
 constexpr int group_count = 16;
 
-/// Parses true and false. Also accepts 1, 0, "true" and "0", as Blender writes custom properties.
+/// Parses true and false. Also accepts 1, 0, "true", "0" and the like, because Blender writes custom
+/// properties in these forms.
 std::optional<bool> boolean_of(const tinygltf::Value& value)
 {
     if (value.IsBool()) {
@@ -67,7 +68,7 @@ std::optional<bool> boolean_of(const tinygltf::Value& value)
 }
 
 /// Reads an object named "estampe" key by key. Unknown or invalid settings are ignored, with a warning that
-/// names the key and its owner, so that a mistake in a custom property does not stop the render.
+/// names the key and its owner, so that the file can be drawn in spite of a mistake in a custom property.
 class Reader {
 public:
     Reader(Data& data, const tinygltf::Value& extras, const std::string& pointer)
@@ -77,7 +78,7 @@ public:
         check_object();
     }
 
-    /// Reads the object with the key `key` inside the object of `whole`.
+    /// Reads the object that is the value of `key` in the object of `whole`.
     Reader(const Reader& whole, const std::string& key)
         : data_(whole.data_), value_(whole.value_.Get(key)), pointer_(whole.at(key)), owner_(whole.owner_)
     {
@@ -109,8 +110,8 @@ public:
         return has(key) && value_.Get(key).IsObject();
     }
 
-    /// The functions below return nothing if the key is missing. They also return nothing, with a warning, if
-    /// the value is invalid.
+    /// The functions below return the value of a key. They return nothing if the key is missing. If the value
+    /// is invalid, they return nothing and add a warning.
     [[nodiscard]] std::optional<bool> boolean(const std::string& key) const
     {
         return take(key, "should be true or false", boolean_of);
@@ -335,8 +336,8 @@ void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::
 
 namespace {
 
-/// Whether a name is "cloth", or "cloth" followed by a character that is not a letter, such as "cloth_flag"
-/// or "Cloth.001". The case of letters is ignored.
+/// Returns whether a name is "cloth", or "cloth" followed by a character that is not a letter, such as
+/// "cloth_flag" or "Cloth.001". The case of letters is ignored.
 bool names_cloth(const std::string& name)
 {
     constexpr std::string_view word = "cloth";
@@ -348,7 +349,7 @@ bool names_cloth(const std::string& name)
     return name.size() == word.size() || std::isalpha(static_cast<unsigned char>(name[word.size()])) == 0;
 }
 
-/// Red channel of a texture at `uv`, with bilinear interpolation.
+/// Returns the red channel of a texture at `uv`, with bilinear interpolation.
 float red_at(const Texture& texture, glm::vec2 uv)
 {
     const auto wrapped = [](int at, int size, Wrap wrap) {
@@ -373,8 +374,8 @@ float red_at(const Texture& texture, glm::vec2 uv)
            255.0F;
 }
 
-/// Sets how strongly the vertices of cloth are held in place: by a texture if there is one and the primitive
-/// has UVs, else by the red of the vertex colours.
+/// Sets how strongly the vertices of cloth are held in place. The values come from a texture, if there is one
+/// and the primitive has UVs, and otherwise from the red channel of the vertex colours.
 void hold(Primitive& primitive, const Scene& scene, Index texture)
 {
     if (texture != no_index && !primitive.uvs[0].empty()) {

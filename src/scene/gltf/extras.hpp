@@ -25,16 +25,16 @@
 
 namespace estampe::gltf {
 
-/// Reads the settings of a light from `extras`. All functions here ignore settings that are not listed above.
-/// A warning names the key of the setting, its place in the file and its owner.
+/// Reads the settings of a light from `extras`. All functions in this file ignore unknown settings. A warning
+/// names the key of the setting, its place in the file and its owner.
 void read_light_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer, Light& light);
 void read_link_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                       LightLinks& links);
 
 void read_cloth_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                        std::optional<Cloth>& cloth);
-/// The texture of the file whose red channel defines how strongly the vertices of cloth are held. Nothing if
-/// the extras name none.
+/// Returns the texture of the file whose red channel defines how strongly the vertices of cloth are held.
+/// Returns nothing if the extras name no texture.
 [[nodiscard]] std::optional<Index> held_texture(Data& data, const tinygltf::Value& extras,
                                                 const std::string& pointer);
 void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
@@ -44,14 +44,14 @@ void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::
 /// read by named_lightmap().
 void check_lightmap_extras(Data& data);
 
-/// Type and name of the object that owns the extras at or below `pointer`, for messages, such as: node
-/// "Flag".
+/// Returns type and name of the object that owns the extras at or below `pointer`, for messages; for example:
+/// node "Flag".
 [[nodiscard]] std::string owner_at(const Data& data, const std::string& pointer);
 
 /// Reads a JSON number, or a text that contains only a number.
 [[nodiscard]] std::optional<double> number_of(const tinygltf::Value& value);
 
-/// Whether `extras` has an object named "estampe".
+/// Returns whether `extras` has an object named "estampe".
 [[nodiscard]] bool has_extras(const tinygltf::Value& extras);
 
 } // namespace estampe::gltf

@@ -42,16 +42,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unread_pi
     {"MSFT_texture_dds", "DDS"},
 }};
 
-/// Subjects of harmless extensions, which only change the appearance or add data that is not drawn. The
-/// subject follows the vendor's prefix, as in "KHR_materials_sheen", "ADOBE_materials_thin_transparency" and
-/// "OMI_physics_body".
+/// Words by which harmless extensions are recognised. Harmless extensions only change the appearance, or add
+/// data that is not drawn. The word follows the vendor's prefix, as in "KHR_materials_sheen",
+/// "ADOBE_materials_thin_transparency" and "OMI_physics_body".
 constexpr std::array<std::string_view, 18> harmless_subjects = {
     "animation", "audio",    "environment", "feature", "image", "interactivity", "light",   "lights",  "link",
     "materials", "metadata", "packing",     "physics", "seat",  "spawn",         "texture", "vehicle", "xmp",
 };
 
-/// Full names of harmless extensions whose subject is not listed above. MSFT_lod adds coarser copies, which
-/// are ignored. Gaussian splats are drawn as points.
+/// Full names of further harmless extensions, which harmless_subjects does not cover. MSFT_lod adds coarser
+/// copies of meshes, which are ignored. The small ellipsoids of Gaussian splatting are drawn as points.
 constexpr std::array<std::string_view, 23> harmless = {
     "AGI_articulations",
     "AGI_stk_metadata",

@@ -25,14 +25,14 @@ constexpr const char* extension_key = "MOZ_lightmap";
 /// A lightmap that `extras` or MOZ_lightmap names, before its picture is read.
 struct Entry {
     std::optional<std::string> uri;
-    int texture = -1;  ///< texture of the file, used if there is no URI
+    int texture = -1;  ///< index of the lightmap's texture in the file, used if there is no URI
     std::string place; ///< JSON pointer of the URI or texture, for messages
     uint32_t uv_set = 1;
     float intensity = 1.0F;
 };
 
-/// Reads the entry of a lightmap. Unknown settings are ignored with a warning. Returns nothing if no picture
-/// is named.
+/// Reads the description of a lightmap. Unknown settings are ignored with a warning. Returns nothing if no
+/// picture is named.
 class EntryReader {
 public:
     EntryReader(Data& data, const tinygltf::Value& value, const std::string& pointer,
@@ -178,8 +178,8 @@ public:
     }
 
 private:
-    /// Assigns lightmaps to nodes. The lightmap of a node also applies to its children, unless they have
-    /// their own.
+    /// Assigns lightmaps to nodes. The lightmap of a node also applies to its children, unless the children
+    /// have their own lightmaps.
     void lay_on_nodes(const std::vector<int>& roots)
     {
         std::vector<bool> seen(map_.of_node.size(), false);
@@ -261,7 +261,7 @@ private:
                 return entry->second;
             }
             baked_ = baked_lightmap(std::move(file), "");
-            numbers_.erase(entry); // a baked lightmap has no picture number
+            numbers_.erase(entry); // a baked lightmap has no index in the list of pictures
             return std::nullopt;
         } catch (const Error& error) {
             data_.fail(pointer, fmt::format("names a lightmap that cannot be read: {}", error.what()),

@@ -55,7 +55,7 @@ glm::vec<Size, float> vector_of(const std::vector<double>& numbers, const glm::v
     return vector;
 }
 
-/// Reads the JSON of a glTF extension. The types of all values were checked before.
+/// Reads the JSON of a glTF extension. The types of all values have already been checked.
 class Extension {
 public:
     explicit Extension(const tinygltf::Value& value) : value_(value) {}
@@ -108,7 +108,7 @@ std::optional<Extension> extension(const tinygltf::ExtensionMap& extensions, con
     return found == extensions.end() ? std::nullopt : std::optional(Extension(found->second));
 }
 
-/// The matrix of uv' = translation * rotation * scale * uv. The rotation direction is that of
+/// Returns the matrix of uv' = translation * rotation * scale * uv. The direction of rotation is that of
 /// KHR_texture_transform.
 glm::mat3 uv_transform(const Extension& transform)
 {
@@ -249,9 +249,9 @@ Material import_material(Data& data, TextureTable& textures, const tinygltf::Mat
     return material;
 }
 
-/// Removes the textures of a material whose picture could not be read. A white pixel replaces such a picture.
-/// As a normal map it would be a wrong normal, and as an emissive texture it would make the whole surface
-/// glow.
+/// Removes the textures of a material whose picture could not be read. Such a picture was replaced by a white
+/// pixel. As a normal map, the white pixel would give wrong normals; as an emissive texture, it would make
+/// the whole surface glow.
 void leave_out_lost(const TextureTable& textures, Material& material)
 {
     if (textures.is_lost(material.normal_texture.texture)) {

@@ -220,8 +220,8 @@ private:
     Primitive primitive_;
 };
 
-/// Finds a normal map of the primitive that needs tangents. Searches its default material first, then those
-/// of its variants.
+/// Finds a normal map of the primitive that needs tangents. Searches the default material first, then the
+/// materials of variants.
 const TextureRef* normal_map_of(const Scene& scene, const Primitive& primitive)
 {
     std::vector<Index> materials = primitive.variant_materials;
@@ -303,7 +303,7 @@ void import_meshes(Data& data, Scene& scene)
 {
     const auto& sources = data.model().meshes;
     for (size_t i = 0; i < sources.size(); ++i) {
-        constexpr double meshes_from = 0.75; // share of the file's load time that passes before meshes begin
+        constexpr double meshes_from = 0.75; // share of the file's load time before meshes are imported
         report_progress(
             std::lerp(meshes_from, 1.0, static_cast<double>(i) / static_cast<double>(sources.size())));
         const std::string pointer = fmt::format("/meshes/{}", i);

@@ -61,8 +61,8 @@ void place_node(Data& data, const tinygltf::Node& source, Node& node, const std:
     }
 }
 
-/// Removes instances whose transforms are identical. In an accessor without data all values are zero, so that
-/// a small file could create any number of copies at one place.
+/// Removes instances whose transforms are identical. A small file could otherwise create any number of copies
+/// at one place, because all values of an accessor without data are zero.
 void drop_same(Data& data, std::vector<glm::mat4>& instances, const std::string& pointer)
 {
     using Bits = std::array<uint32_t, 16>;
@@ -188,8 +188,8 @@ void link_nodes(const Data& data, Scene& scene)
     }
 }
 
-/// Removes the content of all nodes outside the scene that the file selects. Their transforms stay, because
-/// joints may depend on them.
+/// Removes the content of all nodes outside the scene that the file selects. The nodes keep their transforms,
+/// because joints may depend on them.
 void clear_nodes_outside(const tinygltf::Scene& shown, Scene& scene)
 {
     std::vector<bool> inside(scene.nodes.size(), false);
@@ -317,7 +317,7 @@ void import_skins(Data& data, Scene& scene)
     }
 }
 
-/// The highest joint index that any vertex of a primitive uses.
+/// Returns the highest joint index that any vertex of a primitive uses.
 uint32_t highest_joint(const Primitive& primitive)
 {
     uint32_t highest = 0;

@@ -15,7 +15,7 @@ namespace estampe::gltf {
 namespace {
 
 constexpr unsigned max_threads = 4;
-constexpr double textures_from = 0.1; ///< share of the load time that passes before textures begin
+constexpr double textures_from = 0.1; ///< share of the file's load time before textures are decoded
 constexpr double textures_to = 0.75;
 constexpr uint64_t max_total_pixels = uint64_t{1} << 29;
 
@@ -55,7 +55,8 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
             helpers.emplace_back(loop);
         }
     } catch (const std::system_error&) {
-        // If a thread cannot be started, the other threads and this one do all the work.
+        // If a thread cannot be started, the work is done by the threads that were started and the calling
+        // thread.
     }
     for (size_t i = next++; i < count; i = next++) {
         work(i);
@@ -68,8 +69,9 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
     }
 }
 
-/// For each image of the file, the index of the first image with an equal source. Exporters write one picture
-/// under many materials, and decoding a picture of 8192 x 8192 takes 256 MiB each time.
+/// Returns for each image of the file the index of the first image with an equal source. Exporters often
+/// write one picture for many materials. Decoding a picture of 8192 x 8192 pixels takes 256 MiB, so it is
+/// decoded once.
 std::vector<int> first_of_same(const Data& data)
 {
     const auto& views = data.model().bufferViews;
@@ -93,7 +95,8 @@ std::vector<int> first_of_same(const Data& data)
     return first;
 }
 
-/// The image in the file that a texture uses. Negative if no image of the texture has a supported format.
+/// Returns the image in the file that a texture uses. Negative if no image of the texture has a supported
+/// format.
 int readable_image(const tinygltf::Texture& texture)
 {
     const auto webp = texture.extensions.find("EXT_texture_webp");

@@ -99,7 +99,7 @@ size_t Input::read_raw(char* to, size_t count)
             if (got < 0)
                 throw Error(fmt::format("cannot read: {}", std::generic_category().message(errno)), name_);
             if (got == 0) {
-                size_ = offset_ + done; // the file has become shorter while it was read
+                size_ = offset_ + done; // the file was shortened by another program while it was read
                 break;
             }
             done += static_cast<size_t>(got);
@@ -126,7 +126,9 @@ void Input::make_room(size_t count)
 
 void Input::fill(size_t count)
 {
-    constexpr uint64_t worth_telling = 1U << 20U; // small files, such as material libraries, show no progress
+    // smallest file size in bytes for which progress is reported; smaller files, such as material libraries,
+    // show none.
+    constexpr uint64_t worth_telling = 1U << 20U;
     constexpr double share_of_load = 0.4;
     if (size_ >= worth_telling)
         report_progress(share_of_load * static_cast<double>(offset_) / static_cast<double>(size_));
@@ -161,7 +163,8 @@ void Input::fill_from_utf16()
 {
     std::vector<char> raw(block_bytes);
     const size_t units = read_raw(raw.data(), raw.size()) / 2;
-    make_room(6 * units + 3); // a UTF-16 unit becomes at most three bytes, plus three for a lone surrogate
+    // room for the worst case: a UTF-16 unit becomes at most three bytes, plus three for a lone surrogate.
+    make_room(6 * units + 3);
     for (size_t i = 0; i < units; ++i) {
         const uint32_t a = static_cast<uint8_t>(raw[2 * i]);
         const uint32_t b = static_cast<uint8_t>(raw[2 * i + 1]);
@@ -218,8 +221,8 @@ std::string_view Input::peek(size_t wanted)
     return {buffer_.data() + first_, buffered()};
 }
 
-/// Finds the end of the line that starts at first_. This is the position of an LF or CR, or the end of the
-/// file.
+/// Finds the end of the line that starts at first_. The end is the position of the next LF or CR, or the end
+/// of the file.
 size_t Input::end_of_line()
 {
     const auto search = [this](size_t from, char end) {
@@ -236,7 +239,8 @@ size_t Input::end_of_line()
         if (next_cr_ < first_ || next_cr_ >= last_ || buffer_[next_cr_] != '\r')
             next_cr_ = search(next_cr_, '\r');
         const size_t end = std::min(next_lf_, next_cr_);
-        // The LF of a CR LF pair may be beyond the end of the buffer. Then more bytes must be read.
+        // The LF of a line end CR LF may be beyond the end of the buffer. In this case more bytes must be
+        // read.
         if ((end + 1 < last_ || (end < last_ && buffer_[end] == '\n')) || offset_ >= size_)
             return end;
         fill(block_bytes);
@@ -264,8 +268,10 @@ std::string Input::place() const
 
 namespace {
 
-constexpr double most_m = 1e15;           ///< farther out, mend_primitive() drops a vertex
-constexpr double furthest_of_file = 16.0; ///< distance from zero, divided by extent
+/// limit for coordinates; mend_primitive() drops vertices that are farther out.
+constexpr double most_m = 1e15;
+/// largest distance of coordinates from zero, divided by their extent, for which the origin stays at zero.
+constexpr double furthest_of_file = 16.0;
 constexpr double furthest_of_object = 1024.0;
 
 double largest(const glm::dvec3& v)
@@ -273,8 +279,8 @@ double largest(const glm::dvec3& v)
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// `origin`, unless the centre of `bounds` is more than `furthest` extents away from it. Then a rounded
-/// position near the centre.
+/// Returns `origin`, if the distance from it to the centre of `bounds` is at most `furthest` times the extent
+/// of `bounds`. Otherwise returns a rounded position near the centre.
 glm::dvec3 origin_of(const Bounds& bounds, const glm::dvec3& origin, double furthest)
 {
     if (bounds.empty())
@@ -303,7 +309,7 @@ glm::dvec3 object_origin(const Bounds& bounds, const glm::dvec3& file)
 
 bool is_usable(const glm::dvec3& position)
 {
-    // Written with `<`, so that NaN gives false.
+    // The comparison is written with `<`, so that the result is false for NaN.
     return largest(position) < most_m && position.x == position.x && position.y == position.y &&
            position.z == position.z;
 }

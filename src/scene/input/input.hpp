@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Input of the OBJ, PLY and STL readers: a buffer of lines or bytes, the words of a line, and the origin that
-// is subtracted from coordinates far from zero.
+// Input of the OBJ, PLY and STL readers: reading a file by lines or bytes, splitting a line into words, and
+// choosing an origin for coordinates that are far from zero.
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@
 
 namespace estampe {
 
-/// Parses a number as 3D files spell it. Accepts all spellings of std::from_chars, and also numbers with a
-/// leading plus, with a decimal comma, or beyond the range of doubles. Returns NaN for any other word.
+/// Parses a number in any form that 3D files use. Accepts all forms of std::from_chars, and also numbers with
+/// a leading plus, with a decimal comma, or beyond the range of doubles. Returns NaN for any other word.
 [[nodiscard]] double number_of_word(std::string_view word);
 
 /// Splits a line into words at blanks. Functions are inline for speed, because a file has millions of words.
@@ -29,7 +29,7 @@ class Scanner {
 public:
     explicit Scanner(std::string_view line) : at_(line.data()), end_(line.data() + line.size()) {}
 
-    /// Whether the rest of the line is empty or blank.
+    /// Returns whether the rest of the line is empty or blank.
     [[nodiscard]] bool is_done()
     {
         skip_blanks();
@@ -139,10 +139,10 @@ public:
 
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// Size of the whole file in bytes.
+    /// Returns the size of the whole file in bytes.
     [[nodiscard]] uint64_t size() const { return size_; }
 
-    /// Number of bytes from the current position to the end of the file. Not valid in UTF-16.
+    /// Returns the number of bytes from the current position to the end of the file. Not valid in UTF-16.
     [[nodiscard]] uint64_t bytes_left() const { return size_ - offset_ + buffered(); }
 
     /// Detects a byte order mark or UTF-16 in the first bytes. Call this before reading anything.
@@ -160,14 +160,14 @@ public:
     /// the next call.
     [[nodiscard]] bool next_line(std::string_view& line);
 
-    /// Number of the line that next_line() returned last, from 1.
+    /// Returns the number of the line that next_line() returned last, counted from 1.
     [[nodiscard]] uint64_t line_number() const { return line_number_; }
 
-    /// Whether the line that next_line() returned last had a line end. A line without a line end may be
-    /// truncated.
+    /// Returns whether the line that next_line() returned last had a line end. A line without a line end may
+    /// be truncated.
     [[nodiscard]] bool line_was_ended() const { return line_was_ended_; }
 
-    /// Place for messages, "file:line", of the line that next_line() returned last.
+    /// Returns the place of the line that next_line() returned last, for messages: "file:line".
     [[nodiscard]] std::string place() const;
 
 private:
@@ -189,25 +189,26 @@ private:
     std::span<const std::byte> memory_;
     Encoding encoding_ = Encoding::bytes;
     std::vector<char> buffer_;
-    size_t first_ = 0; ///< offset in the buffer of the first byte not consumed yet
+    size_t first_ = 0; ///< offset in the buffer of the first byte that has not been read yet
     size_t last_ = 0;
-    size_t next_lf_ = 0; ///< no LF is between first_ and this offset; next_cr_ is the same for CR
+    size_t next_lf_ = 0; ///< offset before which there is no LF after first_; next_cr_ is the same for CR
     size_t next_cr_ = 0;
     uint32_t high_surrogate_ = 0;
     uint64_t line_number_ = 0;
     bool line_was_ended_ = true;
 };
 
-/// The origin to subtract from all coordinates of a file before they are rounded to floats. It is zero unless
-/// the distance of the coordinates from zero exceeds sixteen times their extent. Then it is an integer point
-/// near the centre of the coordinates. Up to that distance floats resolve a millionth of the extent.
+/// Returns the origin that is subtracted from all coordinates of a file before they are rounded to floats. If
+/// the distance of the coordinates from zero is more than sixteen times their extent, the origin is an
+/// integer point near their centre. Otherwise the origin is zero, because floats then still resolve a
+/// millionth of the extent.
 [[nodiscard]] glm::dvec3 file_origin(const Bounds& bounds);
 
-/// The origin to subtract from the coordinates of one object. It is `file`, the origin of the whole file,
-/// unless the object is tiny compared with its distance from `file`.
+/// Returns the origin that is subtracted from the coordinates of one object. The origin is that of the whole
+/// file, `file`, unless the object is tiny compared with its distance from `file`.
 [[nodiscard]] glm::dvec3 object_origin(const Bounds& bounds, const glm::dvec3& file);
 
-/// Whether a position can be drawn: its coordinates are finite, and their squares fit into floats.
+/// Returns whether a position can be drawn: its coordinates are finite, and their squares fit into floats.
 [[nodiscard]] bool is_usable(const glm::dvec3& position);
 
 } // namespace estampe

@@ -45,7 +45,7 @@ glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& otherwise)
     return std::isfinite(length) && length > 1e-150 ? vector / length : otherwise;
 }
 
-/// Any unit vector perpendicular to `normal`.
+/// Returns any unit vector perpendicular to `normal`.
 glm::dvec3 some_tangent(const glm::dvec3& normal)
 {
     const glm::dvec3 axis = std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -258,7 +258,8 @@ size_t normalise_weights(Primitive& primitive)
 namespace estampe {
 namespace {
 
-/// Below this number of items, starting a second thread does not pay.
+/// Smallest number of items for which a second thread is started; for fewer items, starting it takes too
+/// long.
 constexpr size_t many = 50000;
 
 /// At a position where more faces than this meet, all faces share one average normal. This keeps the cost
@@ -279,7 +280,7 @@ void in_halves(size_t count, const Work& work)
     second.get();
 }
 
-/// The corners of triangles at each vertex position. The corners at position p are corners[first[p]] to
+/// List of the triangles' corners at each vertex position. The corners at position p are corners[first[p]] to
 /// corners[first[p + 1]], in ascending order.
 struct CornersOfPlace {
     std::vector<uint32_t> first;
@@ -294,8 +295,8 @@ CornersOfPlace gather_corners(const Primitive& primitive)
         place_of_vertex.data(), nullptr, vertices, primitive.positions.data(), vertices, sizeof(glm::vec3));
     CornersOfPlace result{.first = std::vector<uint32_t>(places + 2, 0),
                           .corners = std::vector<uint32_t>(primitive.indices.size())};
-    // Counts are stored one entry too late. While the corners are filled in, each start then advances to its
-    // final value.
+    // Counts are stored one entry later than their position. While the corners are filled in, each start
+    // advances to its final value.
     for (const uint32_t vertex : primitive.indices)
         ++result.first[place_of_vertex[vertex] + 2];
     std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
@@ -305,8 +306,8 @@ CornersOfPlace gather_corners(const Primitive& primitive)
     return result;
 }
 
-/// The contribution of each face to vertex normals: its unit normal, weighted by its angle at the corner.
-/// Faces with zero area have a zero normal.
+/// The contribution of each face to vertex normals: the unit normal of the face, weighted by the face's angle
+/// at the corner. Faces with zero area have a zero normal.
 struct FaceParts {
     std::vector<glm::vec3> normals;
     std::vector<float> angles; ///< one angle per corner
@@ -354,7 +355,8 @@ public:
         const uint32_t group = group_of(of);
         const bool all = shares_average(corners, of) || face == glm::vec3(0.0F);
         if (group == 0 && !all)
-            return glm::normalize(face) + glm::vec3(0.0F); // removes negative zeros, whose bytes differ
+            // adding zero removes negative zeros, whose bytes differ from those of positive zeros.
+            return glm::normalize(face) + glm::vec3(0.0F);
         glm::vec3 sum{0.0F};
         // Normals are added in the order of the corners. Corners with the same neighbours then get bitwise
         // equal normals.
@@ -370,7 +372,8 @@ public:
         return length > 0.0F ? glm::normalize(sum / length) : glm::vec3(0.0F, 1.0F, 0.0F);
     }
 
-    /// Whether a corner uses the one average normal that all faces share at a position with many faces.
+    /// Returns whether a corner uses the average normal that all faces share at a position where many faces
+    /// meet.
     [[nodiscard]] bool shares_average(std::span<const uint32_t> corners, uint32_t corner) const
     {
         return corners.size() > crowd &&
@@ -455,7 +458,7 @@ void make_crease_normals(Primitive& primitive, float crease_rad, std::span<const
     in_halves(places, [&](size_t begin, size_t end) {
         make_vertices(primitive, around, neighbours, begin, end, made[begin == 0 ? 0 : 1], vertex_of_corner);
     });
-    // Per corner: whether the second half of the positions contains its position.
+    // For each corner: whether its position is in the second half of the list of positions.
     std::vector<bool> is_second(primitive.indices.size(), false);
     for (size_t i = around.first[middle]; i < around.corners.size(); ++i)
         is_second[around.corners[i]] = true;

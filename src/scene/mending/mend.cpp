@@ -166,7 +166,8 @@ void check_structure(const Scene& scene, const std::string& where)
 
 namespace {
 
-constexpr float farthest_vertex_m = 1e15F; ///< beyond this, squares of lengths overflow floats
+/// coordinates above this limit are unusable, because squares of lengths overflow floats.
+constexpr float farthest_vertex_m = 1e15F;
 
 size_t corners_of(Topology topology)
 {
@@ -175,7 +176,7 @@ size_t corners_of(Topology topology)
 
 bool usable(const glm::vec3& position)
 {
-    // Written with `<`, so that NaN gives false.
+    // The comparison is written with `<`, so that the result is false for NaN.
     return std::abs(position.x) < farthest_vertex_m && std::abs(position.y) < farthest_vertex_m &&
            std::abs(position.z) < farthest_vertex_m;
 }
@@ -262,7 +263,8 @@ void share_vertices(Primitive& primitive)
         add(target.position_offsets);
         add(target.normal_offsets);
     }
-    // meshoptimizer compares at most 16 vertex attributes. In a mesh with more, vertices are not merged.
+    // meshoptimizer compares at most 16 vertex attributes. If a mesh has more attributes, its vertices are
+    // not merged.
     if (streams.size() > 16 || primitive.indices.empty())
         return;
     // meshoptimizer requires that the number of indices is a multiple of three, also for lines and points.
@@ -303,7 +305,7 @@ void mend_primitive(Primitive& primitive, const std::string& name, std::vector<s
 
 namespace {
 
-// Meshes are repaired between these two shares of the load time. Files are read before.
+// Meshes are repaired between these two shares of the load time; files are read before.
 constexpr double mending_from = 0.4;
 constexpr double mending_to = 0.85;
 

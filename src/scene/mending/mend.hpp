@@ -21,8 +21,8 @@ namespace estampe::gltf {
 /// element.
 [[nodiscard]] std::vector<uint32_t> list_indices(int mode, const std::vector<uint32_t>& indices);
 
-/// Replaces the vertices of a primitive by those with the indices `order`, in that order, in every array and
-/// in every morph target.
+/// Replaces the vertices of a primitive by the vertices with the indices `order`, in this order. Every vertex
+/// array and every morph target is changed.
 void pick_vertices(Primitive& primitive, const std::vector<uint32_t>& order);
 
 /// Removes unused vertices, which no index refers to, if they are the majority.
@@ -55,18 +55,18 @@ namespace estampe {
 void mend_primitive(Primitive& primitive, const std::string& name, std::vector<std::string>& warnings);
 
 /// Numbers the distinct positions of the vertices from 0. Vertices at equal positions get the same number.
-/// Stores how many distinct positions there are in `count` unless `count` is null. Cost: linear.
+/// Stores the number of distinct positions in `count`, unless `count` is null. Cost: linear.
 [[nodiscard]] std::vector<uint32_t> places_of_vertices(const Primitive& primitive, size_t* count = nullptr);
 
 /// Reverses the winding of a triangle by swapping its last two corners. Its edge marks are swapped
 /// accordingly.
 void turn_triangle(Primitive& primitive, size_t triangle);
 
-/// Makes the winding of triangles that share an edge consistent: in each connected piece, reverses the
-/// triangles of the winding with the smaller area. An edge of more than two triangles does not connect
-/// triangles. A piece that cannot be made consistent, such as a Moebius strip, is not changed. The primitive
-/// must consist of triangles with indices in range. Returns the number of reversed triangles. Cost: linear in
-/// triangles, and small if all windings are consistent.
+/// Makes the winding of triangles that share an edge consistent: in each connected piece of the surface,
+/// finds the winding with the smaller area and reverses its triangles. An edge of more than two triangles
+/// does not connect triangles. A piece that cannot be made consistent, such as a Moebius strip, is not
+/// changed. The primitive must consist of triangles with indices in range. Returns the number of reversed
+/// triangles. Cost: linear in triangles, and small if all windings are consistent.
 size_t agree_winding(Primitive& primitive);
 
 /// Calls agree_winding(), and appends a line about `name` to `warnings` if triangles were reversed.
@@ -80,10 +80,10 @@ inline constexpr float usual_crease_rad = 0.82F;
 /// position, excluding faces across edges sharper than `crease_rad`. Afterwards equal vertices are merged,
 /// and vertices are sorted by their first use.
 ///
-/// `groups` holds a smoothing group for each triangle, or is empty. Triangles of one group are smoothed
-/// however sharp the edge between them is. Triangles of group 0 are flat. `crease_rad` applies to triangles
-/// whose group is `no_index`. Uses a second thread for large meshes, with the same result. Cost: about 0.25 s
-/// for a million triangles.
+/// `groups` holds a smoothing group for each triangle, or is empty. Edges between triangles of one group are
+/// smoothed, however sharp they are. Triangles of group 0 are flat. `crease_rad` applies to triangles whose
+/// group is `no_index`. Uses a second thread for large meshes, with the same result. Cost: about 0.25 s for a
+/// million triangles.
 void make_crease_normals(Primitive& primitive, float crease_rad, std::span<const uint32_t> groups = {});
 
 /// Merges vertices whose attributes are all equal.
@@ -98,9 +98,9 @@ void check_structure(const Scene& scene, const std::string& where);
 /// `where` as its place when nothing is left to draw.
 void mend_meshes(Scene& scene, const std::string& where);
 
-/// The last step of every reader: repairs the meshes, reverses closed pieces that are inside out, and
-/// computes the tangents that normal maps need. Throws Error with `where` as its place when there is nothing
-/// to draw.
+/// The last step of every reader: repairs the meshes, reverses closed pieces of meshes that are inside out,
+/// and computes the tangents that normal maps need. Throws Error with `where` as its place when there is
+/// nothing to draw.
 void finish_import(Scene& scene, const std::string& where);
 
 /// Calls `read`. Throws Error if `read` runs out of memory.

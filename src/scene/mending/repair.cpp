@@ -14,15 +14,16 @@
 namespace estampe {
 namespace {
 
-/// Whether a triangle's winding contradicts its normals: it is clockwise as seen from the side to which all
-/// three normals point.
+/// Returns whether a triangle's winding contradicts its normals: the triangle is clockwise as seen from the
+/// side to which all three normals point.
 bool runs_against_normals(const Primitive& primitive, const uint32_t* corners)
 {
     const glm::dvec3 a = primitive.positions[corners[0]];
     const glm::dvec3 face = glm::cross(glm::dvec3(primitive.positions[corners[1]]) - a,
                                        glm::dvec3(primitive.positions[corners[2]]) - a);
-    // A normal contradicts the winding only if its angle to the face is clearly more than 90 degrees. The
-    // smoothed normals of a sharp edge reach 90 degrees, and rounding errors exceed it a little.
+    // A normal contradicts the winding only if its angle to the face is clearly more than 90 degrees. At a
+    // sharp edge, the angle of smoothed normals can reach 90 degrees, and rounding errors make it a little
+    // larger.
     constexpr double clearly = 0.05;
     const double least = -clearly * glm::length(face);
     return std::all_of(corners, corners + 3, [&](uint32_t corner) {
@@ -59,9 +60,9 @@ struct PlacedSurface {
     size_t primitive = 0;
     size_t triangles = 0;
     Bounds bounds;
-    /// Three times the enclosed volume if the surface is closed; positive if its faces point outwards.
-    /// Computed as the integral over the surface of the offset from the middle of the bounds along the
-    /// normal. The sign is also right if the surface is nearly closed.
+    /// Three times the enclosed volume if the surface is closed; positive if its faces point outwards. The
+    /// value is the surface integral of the offset from the middle of the bounds, projected onto the normal.
+    /// The sign is also right if the surface is nearly closed.
     double outward_m3 = 0.0;
     bool is_one_sided = false;
 };
@@ -96,8 +97,8 @@ std::vector<PlacedSurface> placed_surfaces(const Scene& scene)
     return surfaces;
 }
 
-/// Whether the box `hull` encloses the box `figure` closely: no side of the hull is inside the figure, or
-/// further outside than the width of an outline.
+/// Returns whether the box `hull` closely encloses the box `figure`: each side of `hull` is outside `figure`,
+/// but not farther than the width of an outline.
 bool lies_close_around(const Bounds& hull, const Bounds& figure)
 {
     constexpr double widest = 0.12; // largest outline width, as a share of the figure's diagonal
@@ -112,7 +113,7 @@ bool lies_close_around(const Bounds& hull, const Bounds& figure)
            glm::all(glm::lessThan(glm::max(below, above), glm::dvec3(widest_m)));
 }
 
-/// Whether both surfaces have nearly the same number of triangles. Exporters may drop or add a few.
+/// Returns whether both surfaces have nearly the same number of triangles. Exporters may drop or add a few.
 bool has_count_of(const PlacedSurface& hull, const PlacedSurface& figure)
 {
     const auto [least, most] = std::minmax(hull.triangles, figure.triangles);
@@ -126,8 +127,8 @@ bool is_hull_of(const PlacedSurface& hull, const PlacedSurface& figure)
            lies_close_around(hull.bounds, figure.bounds);
 }
 
-/// Whether the scene can contain outline hulls, that is, has at least two primitives, one of them one-sided.
-/// If not, the scene needs no posing.
+/// Returns whether the scene can contain outline hulls: it has at least two primitives, and one of them is
+/// one-sided. If not, the scene need not be posed.
 bool may_have_hulls(const Scene& scene)
 {
     size_t primitives = 0;
@@ -142,8 +143,8 @@ bool may_have_hulls(const Scene& scene)
     return primitives > 1 && has_one_sided;
 }
 
-/// The surfaces that an outline hull may enclose: each primitive, all primitives of a node together, and all
-/// primitives of the scene together. Only surfaces that face outwards are included.
+/// Returns the surfaces that an outline hull may enclose: each primitive, all primitives of a node together,
+/// and all primitives of the scene together. Only surfaces that face outwards are included.
 std::vector<PlacedSurface> possible_figures(const std::vector<PlacedSurface>& surfaces)
 {
     std::vector<PlacedSurface> figures;
@@ -192,7 +193,7 @@ void leave_out_outline_hulls(Scene& scene)
         }
     }
     const std::vector<std::pair<Index, size_t>> last_first(hulls.rbegin(),
-                                                           hulls.rend()); // in descending order
+                                                           hulls.rend()); // in descending order of index
     for (const auto& [index, primitive] : last_first) {
         Mesh& mesh = scene.meshes[index];
         scene.warnings.push_back(fmt::format("mesh \"{}\": an outline hull, a larger copy turned inside out; "
@@ -213,7 +214,7 @@ namespace {
 constexpr double clear_below = 0.05;
 constexpr double solid_above = 0.9;
 
-/// How a material's alpha is distributed over the area of its surfaces. Each value is an area.
+/// Area of a material's surfaces by alpha value.
 struct AlphaShares {
     double area = 0.0;
     double clear = 0.0;
@@ -234,7 +235,7 @@ double wrapped(double t, Wrap wrap)
     return wrap == Wrap::mirror && is_odd ? 1.0 - part : part;
 }
 
-/// Alpha of the texel at `uv`, from 0 to 1, without interpolation.
+/// Returns the alpha of the texel at `uv`, from 0 to 1, without interpolation.
 double alpha_at(const Texture& texture, const glm::dvec2& uv)
 {
     const auto texel = [](double t, uint32_t count) {
@@ -261,7 +262,8 @@ public:
             }
         };
         of_material([&](const Primitive& primitive) { triangles += primitive.indices.size() / 3; });
-        // About this many triangles are sampled. If the material has fewer triangles, each gets more samples.
+        // Approximate number of triangles that are sampled. If the material has fewer triangles, each
+        // triangle gets several samples.
         constexpr size_t enough = 1U << 17U;
         const size_t stride = std::max<size_t>(1, triangles / enough);
         places_ = std::clamp<size_t>(enough / std::max<size_t>(triangles, 1), 4, 4096);
@@ -332,8 +334,8 @@ private:
 
 void find_cut_out_materials(Scene& scene)
 {
-    // Leaves and fences are clear or solid except for soft borders. Hair is half transparent over half of its
-    // width.
+    // Textures of leaves and fences are clear or solid, except for soft borders. Textures of hair are half
+    // transparent over half of the width of a strand.
     constexpr double much = 0.4;
     constexpr double some = 0.01;
     constexpr double a_part = 0.1;

@@ -26,14 +26,14 @@ void leave_out_outline_hulls(Scene& scene);
 /// over the surfaces of the material. If nearly all samples are fully clear or solid, as for leaves, hair and
 /// fences, the mode becomes `mask`. If all samples are solid, the mode becomes `opaque`. Lines and shadows
 /// can then follow the alpha. Glass, smoke and soft decals stay blended; Material::has_clear_parts tells
-/// whether their drawn shape ends inside their surfaces. Cost: linear in triangles of such materials, at most
-/// half a million samples per material.
+/// whether parts of their surfaces are fully transparent. Cost: linear in triangles of such materials, at
+/// most half a million samples per material.
 void find_cut_out_materials(Scene& scene);
 
 /// Reverses the winding of closed, two-sided, consistently wound pieces of meshes that are inside out.
-/// One-sided pieces are not changed, because their winding defines from which side they are visible. A piece
-/// that contains other pieces, which are not inside out themselves, is a room and is not changed. Adds a line
-/// to Scene::warnings for each changed mesh. Cost: about 0.01 s for 70,000 triangles that need no change.
+/// One-sided pieces are not changed, because their winding defines from which side they are visible. If a
+/// piece contains other pieces that are not inside out, it is a room and is not changed. Adds a line to
+/// Scene::warnings for each changed mesh. Cost: about 0.01 s for 70,000 triangles that need no change.
 void turn_outside(Scene& scene);
 
 } // namespace estampe

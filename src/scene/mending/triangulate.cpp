@@ -7,17 +7,18 @@
 namespace estampe {
 namespace {
 
-/// Twice the signed area of a triangle. Positive if the triangle is counter-clockwise.
+/// Returns twice the signed area of a triangle; positive if the triangle is counter-clockwise.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Normal of a polygon by Newell's method. Its length is twice the area of the polygon.
+/// Returns the normal of a polygon by Newell's method. The length of the normal is twice the area of the
+/// polygon.
 glm::dvec3 normal_of(std::span<const glm::dvec3> corners)
 {
     glm::dvec3 normal(0.0);
-    const glm::dvec3 origin = corners[0]; // subtracted to keep precision far from zero
+    const glm::dvec3 origin = corners[0]; // subtracted from all corners, to keep precision far from zero
     for (size_t i = 1; i + 1 < corners.size(); ++i)
         normal += glm::cross(corners[i] - origin, corners[i + 1] - origin);
     return normal;
@@ -31,8 +32,8 @@ void Triangulation::fan(std::vector<uint32_t>& triangles) const
         triangles.insert(triangles.end(), {kept_[0], kept_[i], kept_[i + 1]});
 }
 
-/// Projects the kept corners along the coordinate axis for which the projected area is largest. The result is
-/// counter-clockwise.
+/// Projects those corners that are not cut off yet along the coordinate axis for which the projected area is
+/// largest. The result is counter-clockwise.
 void Triangulation::flatten(std::span<const glm::dvec3> corners)
 {
     const glm::dvec3 normal = normal_of(corners);
@@ -88,8 +89,8 @@ void Triangulation::cut(std::span<const glm::dvec3> corners, std::vector<uint32_
     clip_ears(triangles);
 }
 
-/// Whether the corner is an ear: it is convex, and its triangle contains no reflex corner, so that the corner
-/// can be cut off.
+/// Returns whether the corner is an ear, which can be cut off: the corner is convex, and its triangle
+/// contains no reflex corner.
 bool Triangulation::is_ear(size_t at)
 {
     if (is_reflex_[at])
@@ -138,13 +139,14 @@ void Triangulation::clip_ears(std::vector<uint32_t>& triangles)
         const uint32_t behind = next_[at];
         next_[before] = behind;
         last_[behind] = before;
-        is_reflex_[at] = false; // the corner is cut off, so it blocks no ear any more
+        is_reflex_[at] = false; // a corner that is cut off no longer prevents other corners from being ears
         for (const uint32_t i : {before, behind})
             if (is_reflex_[i] && turn(flat_[last_[i]], flat_[i], flat_[next_[i]]) > 0.0)
                 is_reflex_[i] = false;
         --left;
         tried = 0;
-        at = next_[behind]; // skips a corner: cutting every other corner gives fewer slivers than a fan
+        // continues after the next corner, because cutting every other corner gives fewer slivers than a fan.
+        at = next_[behind];
     }
     triangles.insert(triangles.end(), {kept_[last_[at]], kept_[at], kept_[next_[at]]});
     unclean_ += is_clean ? 0 : 1;

@@ -17,11 +17,11 @@ public:
     /// winding of the polygon. Convex polygons become fans from their first corner. Other polygons are
     /// projected into the axis plane where their area is largest, and their ears are clipped. A corner at the
     /// same position as the corner before it is skipped. Cost: linear for convex polygons, else at most
-    /// quadratic in corners. Polygons that cross themselves may get wrong triangles. So may later polygons of
-    /// a file that has used up its work limit.
+    /// quadratic in corners. Polygons that cross themselves may get wrong triangles. Later polygons of a file
+    /// that has used up its work limit may get wrong triangles too.
     void cut(std::span<const glm::dvec3> corners, std::vector<uint32_t>& triangles);
 
-    /// Number of polygons whose triangulation may be wrong.
+    /// Returns the number of polygons whose triangulation may be wrong.
     [[nodiscard]] uint64_t unclean() const { return unclean_; }
 
 private:
@@ -30,7 +30,7 @@ private:
     void flatten(std::span<const glm::dvec3> corners);
     void fan(std::vector<uint32_t>& triangles) const;
 
-    std::vector<uint32_t> kept_; ///< indices of corners not cut off yet, in polygon order
+    std::vector<uint32_t> kept_; ///< indices of corners that are not cut off yet, in polygon order
     std::vector<glm::dvec2> flat_;
     std::vector<uint32_t> next_, last_;
     std::vector<uint32_t> reflex_;

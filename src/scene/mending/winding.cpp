@@ -13,9 +13,9 @@
 namespace estampe {
 namespace {
 
-/// One side of a triangle, listed at the smaller of its two position numbers.
+/// One side of a triangle. The side is listed at the smaller of its two position numbers.
 struct Side {
-    uint32_t other; ///< the larger position number
+    uint32_t other; ///< position number of the other end, the larger one
     uint32_t triangle;
     bool rising; ///< the side runs from the smaller position number to the larger
 };
@@ -90,8 +90,8 @@ bool same_places(const std::vector<uint32_t>& corners, uint32_t one, uint32_t ot
     return std::is_permutation(a, a + 3, b);
 }
 
-/// Finds the neighbours across all edges that exactly two triangles share. A triangle is not the neighbour of
-/// its own copy.
+/// Finds the neighbours of triangles across all edges that exactly two triangles share. A triangle is not a
+/// neighbour of a copy of itself.
 EdgeNeighbours pair_triangles(const std::vector<uint32_t>& corners, const Sides& sides)
 {
     EdgeNeighbours result;
@@ -124,8 +124,8 @@ EdgeNeighbours pair_triangles(const std::vector<uint32_t>& corners, const Sides&
     return result;
 }
 
-/// Whether there is an edge along which two triangles run in the same direction, so that their windings
-/// contradict.
+/// Returns whether there is an edge along which two triangles run in the same direction, so that their
+/// windings contradict.
 bool any_edge_run_twice(const std::vector<uint32_t>& corners, size_t places)
 {
     std::vector<uint32_t> first(places + 2, 0);
@@ -190,7 +190,7 @@ size_t agree_winding(Primitive& primitive)
             }
         }
         if (!agrees)
-            continue; // the surface has only one side, such as a Moebius strip
+            continue; // the surface has only one side, like a Moebius strip, and is not changed
         const uint8_t minority = areas[1] <= areas[0] ? 1 : 0;
         for (const uint32_t triangle : piece) {
             if (side[triangle] == minority) {
@@ -235,8 +235,9 @@ private:
 struct SurfacePiece {
     Bounds bounds;
     double volume_m3 = 0.0;
-    bool is_inside_out = false;      ///< closed, consistently wound, and its back faces point outwards
-    std::vector<uint32_t> triangles; ///< empty unless the piece is inside out
+    /// the piece is closed and consistently wound, and its back faces point outwards.
+    bool is_inside_out = false;
+    std::vector<uint32_t> triangles; ///< triangles of the piece; only filled if the piece is inside out
 };
 
 /// Splits a primitive into pieces, which are triangles connected by shared positions.
@@ -290,14 +291,15 @@ private:
 
     [[nodiscard]] uint32_t place(size_t t, size_t k) const { return places_[primitive_.indices[3 * t + k]]; }
 
-    /// Whether two corners of a triangle are at the same position, as at the poles of many spheres. Such a
-    /// triangle has no area and is skipped.
+    /// Returns whether two corners of a triangle are at the same position, as at the poles of many spheres.
+    /// Such a triangle has no area and is skipped.
     [[nodiscard]] bool has_collapsed(size_t t) const
     {
         return place(t, 0) == place(t, 1) || place(t, 1) == place(t, 2) || place(t, 2) == place(t, 0);
     }
 
-    /// A directed side of a triangle as one number; spread() hashes this number.
+    /// Returns a number that identifies a directed side of a triangle; spread() computes a hash of this
+    /// number.
     static uint64_t side(uint32_t from, uint32_t to) { return uint64_t{from} << 32U | to; }
 
     static uint64_t spread(uint64_t number)
@@ -316,12 +318,13 @@ private:
                 take(place(t, k), place(t, (k + 1) % 3));
     }
 
-    /// Whether a piece is closed: each side of each triangle has exactly one neighbour, which runs in the
-    /// opposite direction.
+    /// Returns whether a piece is closed: each side of each triangle has exactly one neighbour, which runs in
+    /// the opposite direction.
     [[nodiscard]] bool is_closed(const SurfacePiece& piece) const
     {
-        // Compares the sums of the hashes in both directions. They differ for almost all open pieces, because
-        // some sides lack a neighbour. So sorting is rarely needed.
+        // Compares the sum of the hashes of all sides with the sum for the opposite directions. The sums
+        // differ for almost all open pieces, because some sides have no neighbour. The slower test by sorting
+        // is therefore rarely needed.
         uint64_t difference = 0;
         for_sides(piece, [&](uint32_t from, uint32_t to) {
             difference += spread(side(from, to)) - spread(side(to, from));
@@ -431,7 +434,7 @@ void turn_outside(Scene& scene)
 {
     const std::vector<PlacedPiece> placed = placed_pieces(scene);
     // Bounds of the pieces that may be inside a room, sorted by their smallest x. Each room is then compared
-    // with few of them.
+    // with few of these pieces.
     std::vector<Bounds> furniture;
     if (std::ranges::any_of(placed, [](const PlacedPiece& piece) { return piece.piece.is_inside_out; }))
         for (const PlacedPiece& piece : placed)

@@ -30,13 +30,14 @@ std::optional<double> share_of(Scanner words)
 {
     double value = 0.0;
     while (!words.is_done()) {
-        if (words.number(value) && std::isfinite(value)) // skips words such as -halo in: d -halo 0.5
+        // other words, such as -halo in "d -halo 0.5", are skipped.
+        if (words.number(value) && std::isfinite(value))
             return std::clamp(value, 0.0, 1.0);
     }
     return std::nullopt;
 }
 
-/// Reads up to three numbers after an option, and stops at the first word that is no number.
+/// Reads up to three numbers after an option, and stops at the first word that is not a number.
 int read_numbers(Scanner& words, glm::dvec3& values)
 {
     int count = 0;
@@ -53,8 +54,8 @@ int read_numbers(Scanner& words, glm::dvec3& values)
     return count;
 }
 
-/// Reads an option with its values. Returns false if the word is no option but a file name that begins with a
-/// minus.
+/// Reads an option with its values. Returns false if the word is not an option, but a file name that begins
+/// with a minus.
 bool read_option(std::string_view option, Scanner& words, MtlMap& map)
 {
     glm::dvec3 values(0.0);

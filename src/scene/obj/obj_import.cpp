@@ -54,7 +54,7 @@ Primitive primitive_of(const obj::Data& data, Piece& piece, const glm::dvec3& or
     primitive.positions.resize(count);
     for (size_t i = 0; i < count; ++i)
         primitive.positions[i] = glm::vec3(data.positions[piece.vertices[i].position] - origin) +
-                                 glm::vec3(0.0F); // turns negative zeros into positive ones
+                                 glm::vec3(0.0F); // adding zero turns negative zeros into positive zeros
     if (piece.has_normals) {
         primitive.normals.resize(count, glm::vec3(0.0F));
         for (size_t i = 0; i < count; ++i)
@@ -98,8 +98,8 @@ public:
         if (node_of_object_[object] != no_index)
             return node_of_object_[object];
         const obj::Object& source = data_.objects[object];
-        // The parent node gets no translation, because it may also contain groups. Only the node of the mesh
-        // is translated to the origin of its coordinates.
+        // The mesh is translated to the origin of its coordinates only by its own node. The parent node gets
+        // no translation, because it may also contain groups.
         const Index parent = source.parent == no_index ? 0 : node_of(source.parent);
         const auto index = static_cast<Index>(scene_.nodes.size());
         Node& node = scene_.nodes.emplace_back();
@@ -110,9 +110,9 @@ public:
         return index;
     }
 
-    /// Returns the node for the meshes of an object, translated to `origin`. It is the node of the object
-    /// itself. If the object also contains groups, it is a new child, because the translation must not apply
-    /// to the groups.
+    /// Returns the node for the meshes of an object, translated to `origin`. The result is the node of the
+    /// object itself. If the object also contains groups, the result is a new child node, because the
+    /// translation must not apply to the groups.
     Index node_of_mesh(uint32_t object, const glm::dvec3& origin)
     {
         Index index = node_of(object);
@@ -162,7 +162,7 @@ void add_meshes(obj::Data& data, Scene& scene, const std::string& root_name)
         if (!groups.empty() && primitive.normals.empty()) {
             agree_winding(primitive, data.objects[piece.object].name, scene.warnings);
             make_crease_normals(primitive, usual_crease_rad, groups);
-            (void)gltf::repair_normals(primitive); // gives normals to faces with zero area
+            (void)gltf::repair_normals(primitive); // faces with zero area get normals here
         }
         scene.meshes[mesh].primitives.push_back(std::move(primitive));
     }

@@ -29,7 +29,7 @@ class Textures {
 public:
     explicit Textures(Scene& scene) : scene_(scene) {}
 
-    /// Whether the picture can be read.
+    /// Returns whether the picture can be read.
     [[nodiscard]] bool has(const MtlMap& map, FileFinder& finder)
     {
         return picture(map.file, finder) != nullptr;
@@ -45,8 +45,8 @@ public:
     [[nodiscard]] TextureRef color_with_opacity(const MtlMap& color_map, const MtlMap& opacity_map,
                                                 FileFinder& finder);
 
-    /// Returns a normal map. A height map is converted to a normal map. Nothing if the picture cannot be
-    /// read.
+    /// Returns a normal map; a height map is converted to a normal map. Returns nothing if the picture cannot
+    /// be read.
     [[nodiscard]] TextureRef normals(const MtlMap& map, FileFinder& finder);
 
 private:
@@ -57,7 +57,7 @@ private:
     /// The decoded picture of a file. Pictures are large, so the picture is moved, not copied, into the first
     /// texture that uses it unchanged.
     struct Picture {
-        std::optional<Image> image; ///< nothing if it cannot be read or was moved
+        std::optional<Image> image; ///< the picture; nothing if it cannot be read or was moved
         Index texture = no_index;   ///< the texture into which the picture was moved
     };
 
@@ -68,11 +68,11 @@ private:
     [[nodiscard]] TextureRef add(const Key& key, const MtlMap& map, Image image);
 
     Scene& scene_;
-    std::map<std::string, Picture> pictures_; ///< key: path, or name if the file was not found
+    std::map<std::string, Picture> pictures_; ///< pictures by path, or by name if the file was not found
     std::map<Key, Index> textures_;
 };
 
-/// Slope of the surface where the height map changes from black to white between adjacent texels.
+/// Slope of the surface at a place where the height map changes from black to white between adjacent texels.
 constexpr float slope_of_height = 2.0F;
 
 float brightness(const uint8_t* pixel)
@@ -82,8 +82,8 @@ float brightness(const uint8_t* pixel)
            255.0F;
 }
 
-/// Whether a picture is a normal map. In a normal map most texels are bluish, because most normals point away
-/// from the surface.
+/// Returns whether a picture is a normal map. In a normal map most texels are bluish, because most normals
+/// point away from the surface.
 bool holds_normals(const Image& image)
 {
     const size_t pixels = image.rgba.size() / 4;
@@ -130,7 +130,8 @@ Image normals_of_heights(const Image& heights, bool repeats)
     return normals;
 }
 
-/// Combines the colours of one picture with the opacity of another, at the resolution of the larger picture.
+/// Combines the colours of one picture with the opacity of another picture, at the resolution of the larger
+/// picture.
 Image combined(const Image& colors, const Image& opacity, const std::string& name)
 {
     Image image{.width = std::max(colors.width, opacity.width),
@@ -158,8 +159,8 @@ Image combined(const Image& colors, const Image& opacity, const std::string& nam
     return image;
 }
 
-/// The matrix of uv' = scale * uv + offset in OBJ coordinates. In OBJ files v points up; in textures it
-/// points down.
+/// Returns the matrix of uv' = scale * uv + offset in OBJ coordinates. In OBJ files v points up; in textures
+/// it points down.
 glm::mat3 uv_transform_of(const MtlMap& map)
 {
     glm::mat3 transform(1.0F);
@@ -449,7 +450,7 @@ void read_materials(const std::filesystem::path& file, const std::vector<std::st
         FileFinder finder({library.parent_path(), file.parent_path()});
         for (const MtlMaterial& source : parsed(library, scene.warnings)) {
             const auto [place, is_new] = place_of_name.try_emplace(source.name, scene.materials.size());
-            // If several libraries define a material with the same name, the first definition applies.
+            // If several libraries define a material with the same name, the first definition is used.
             if (!is_new && (place->second >= is_known.size() || is_known[place->second]))
                 continue;
             if (is_new)

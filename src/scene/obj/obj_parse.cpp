@@ -59,7 +59,7 @@ uint32_t PieceBuilder::vertex_of(uint32_t piece, Corner corner)
 {
     std::vector<Corner>& vertices = data_.pieces[piece].vertices;
     const auto vertex = static_cast<uint32_t>(vertices.size());
-    if (corner.position >= data_.positions.size()) { // the position comes later in the file
+    if (corner.position >= data_.positions.size()) { // the position may come later in the file
         vertices.push_back(corner);
         return vertex;
     }
@@ -176,7 +176,8 @@ void PieceBuilder::drop_missing(Piece& piece)
         piece.vertices.clear();
     for (Corner& corner : piece.vertices)
         if (is_missing(corner))
-            corner = {.position = 0, .uv = no_index, .normal = no_index}; // no element uses this corner
+            // no element uses this corner, so any valid position will do.
+            corner = {.position = 0, .uv = no_index, .normal = no_index};
 }
 
 void PieceBuilder::finish()
@@ -214,8 +215,8 @@ bool ends_in_backslash(std::string_view line)
     return line.ends_with('\\');
 }
 
-/// Reads an index of a corner. Indices count from 1, or from -1 backwards. Returns 0 when there is no index
-/// or it is out of range.
+/// Reads an index of a corner. Indices count from 1; negative indices count backwards from the end of the
+/// list. Returns 0 when there is no index or it is out of range.
 int64_t read_index(const char*& at, const char* end)
 {
     const bool is_negative = at != end && *at == '-';
@@ -227,9 +228,9 @@ int64_t read_index(const char*& at, const char* end)
     return is_negative ? -value : value;
 }
 
-/// Converts an index that counts from 1, or from -1 backwards, to an index from 0 in a list of `count`
-/// entries. Returns no_index if it is invalid. An index beyond the list is valid, because the file may list
-/// more entries later.
+/// Converts an index of an OBJ file to an index from 0 in a list of `count` entries. In the file, indices
+/// count from 1; negative indices count backwards from the end. Returns no_index if it is invalid. An index
+/// beyond the list is valid, because the file may list more entries later.
 uint32_t resolved(int64_t index, size_t count)
 {
     const int64_t place = index > 0 ? index - 1 : index + static_cast<int64_t>(count);
@@ -343,7 +344,7 @@ private:
         losses.is_cut_off = losses.is_cut_off || !input_.line_was_ended();
     }
 
-    /// Reads up to N numbers from the line. Returns how many numbers there are.
+    /// Reads up to N numbers from the line. Returns the number of numbers that were read.
     template <size_t N>
     static size_t read_numbers(Scanner& words, std::array<double, N>& values)
     {
@@ -426,7 +427,7 @@ private:
             }
         }
         if (at != end)
-            corner.position = no_index; // the word is no valid index
+            corner.position = no_index; // the word is not a valid index
         return corner;
     }
 
@@ -468,8 +469,8 @@ private:
         return found->second;
     }
 
-    /// Converts vertex colours from sRGB to linear. Scanning and sculpting programs write them from 0 to 1 or
-    /// from 0 to 255.
+    /// Converts vertex colours from sRGB to linear. Scanning and sculpting programs write these colours from
+    /// 0 to 1 or from 0 to 255.
     void finish_colors()
     {
         if (data_.colors.empty())

@@ -28,31 +28,32 @@ struct Corner {
     bool operator==(const Corner&) const = default;
 };
 
-/// Smoothing group of faces before any `s` statement. For such faces the crease angle decides where the
-/// surface is smooth.
+/// Smoothing group of faces that come before any `s` statement. Between such faces, an edge is smooth or
+/// sharp depending on the crease angle.
 inline constexpr uint32_t no_smoothing_group = no_index;
 
 /// Elements of one topology, one object and one material. Each piece becomes a primitive.
 struct Piece {
     uint32_t object = 0;
-    uint32_t material = no_index; ///< no_index if the file has not named a material
+    uint32_t material = no_index; ///< index of the material; no_index if the file has not named one
     Topology topology = Topology::triangles;
     bool has_normals = false; ///< either all corners have a normal, or no corner has one
     std::vector<Corner> vertices;
     std::vector<uint32_t> indices;
-    std::vector<uint32_t> smoothing_groups; ///< empty, or one per triangle; group 0 is flat
+    /// smoothing group of each triangle; may be empty; group 0 is flat.
+    std::vector<uint32_t> smoothing_groups;
 };
 
 /// An object or a group of an OBJ file, named by an `o` or `g` statement.
 struct Object {
     std::string name;
-    uint32_t parent = no_index; ///< for a group, the last object before it in the file
+    uint32_t parent = no_index; ///< for a group: the last object before it in the file
 };
 
 /// Counts of elements that could not be read exactly as written.
 struct Losses {
     uint64_t faces_of_missing_vertices = 0;
-    uint64_t short_faces = 0; ///< faces with fewer than three corners
+    uint64_t short_faces = 0; ///< number of faces with fewer than three corners
     uint64_t unclean_polygons = 0;
     uint64_t corners_of_missing_attributes = 0;
     uint64_t curves = 0;
@@ -61,17 +62,17 @@ struct Losses {
     bool is_cut_off = false;    ///< the last line has no line end and cannot be parsed
     uint64_t said_vertices = 0; ///< vertex count in a comment written by MeshLab; 0 if there is none
     uint64_t said_faces = 0;
-    uint64_t faces = 0; ///< all faces of the file, valid and invalid
+    uint64_t faces = 0; ///< number of all faces of the file, valid and invalid
 };
 
 /// The content of an OBJ file. Every index of a corner is in range.
 struct Data {
     std::vector<glm::dvec3> positions;
-    std::vector<glm::vec4> colors; ///< linear colours; empty, or one per position
-    std::vector<glm::vec2> uvs;    ///< v points up, as in the OBJ format
+    std::vector<glm::vec4> colors; ///< linear colours of the positions; may be empty
+    std::vector<glm::vec2> uvs;    ///< texture coordinates; v points up, as in the OBJ format
     std::vector<glm::vec3> normals;
     std::vector<Object> objects;
-    std::vector<std::string> materials; ///< names given by `usemtl`
+    std::vector<std::string> materials; ///< names of materials in `usemtl` statements
     std::vector<std::string> libraries; ///< the arguments of each `mtllib` line
     std::vector<Piece> pieces;
     Losses losses;
@@ -126,7 +127,7 @@ private:
     uint32_t smoothing_group_ = no_smoothing_group;
     std::map<std::tuple<uint32_t, uint32_t, Topology, bool>, uint32_t> pieces_;
     std::array<uint32_t, 6> current_pieces_{no_index, no_index, no_index, no_index, no_index, no_index};
-    std::vector<uint32_t> first_entries_; ///< per position: first entry of its list
+    std::vector<uint32_t> first_entries_; ///< for each position: first entry of its linked list
     std::vector<Entry> entries_;
     Triangulation triangulation_;
     std::vector<glm::dvec3> polygon_;
@@ -136,7 +137,7 @@ private:
 };
 
 /// Parses all lines of an OBJ file. In the result all indices of corners are in range. Data::losses counts
-/// what could not be read. Memory: the numbers of the file, and twelve bytes for each corner of a triangle.
+/// what could not be read. Memory: all numbers of the file, and twelve bytes for each corner of a triangle.
 /// Cost: about 0.4 s for a million triangles.
 [[nodiscard]] Data parse(Input& input);
 

@@ -14,8 +14,9 @@
 namespace estampe {
 namespace {
 
-constexpr size_t longest_name = 4096;  ///< no operating system opens a longer path
-constexpr size_t most_parts = 16;      ///< of longer paths only this many last parts are searched
+/// longest path that is searched; no operating system opens a longer path.
+constexpr size_t longest_name = 4096;
+constexpr size_t most_parts = 16;      ///< largest number of parts at the end of a path that are searched
 constexpr size_t most_listed = 200000; ///< largest number of cached entries per folder
 
 int hex_digit(char letter)
@@ -119,8 +120,8 @@ std::optional<std::filesystem::path> FileFinder::find_spelled(std::string_view n
     if (path.parts.empty() || path.parts.back() == "..")
         return std::nullopt;
     const size_t count = path.parts.size();
-    // Searches the full path in every folder first, then shorter ends of the path, because an end may match a
-    // wrong file.
+    // Searches every folder for the full path first, then for shorter and shorter ends of the path. A short
+    // end may match a wrong file.
     for (size_t first = count > most_parts ? count - most_parts : 0; first < count; ++first) {
         if (path.is_absolute && path.parts[first] == "..")
             continue;
@@ -160,7 +161,7 @@ std::optional<std::string> FileFinder::actual_name(const std::filesystem::path& 
              !failed && entries != std::filesystem::directory_iterator() && count < most_listed; ++count) {
             const std::string entry = entries->path().filename().string();
             // If names differ only in case, the first name in byte order is used. The result then does not
-            // depend on the order of the disk.
+            // depend on the order in which the disk lists files.
             const auto [known, is_first] = listing->second.try_emplace(lower_case(entry), entry);
             if (!is_first)
                 known->second = std::min(known->second, entry);

@@ -16,11 +16,11 @@ namespace estampe {
 
 /// Finds the pictures and material libraries that a scene file names.
 ///
-/// Scene files come from other machines, so their paths are often wrong here. Backslashes count as slashes.
-/// Quotes and blanks around a path and the case of letters are ignored. Each folder of the list is searched
-/// for the whole path, then for shorter and shorter ends of the path, down to the file name alone. An
-/// absolute path is never opened; only its ends are searched. Only regular files that are not empty are
-/// found: reading a pipe or a device could wait forever, and files of /proc have no size.
+/// Scene files come from other computers, so their paths are often not valid on this computer. Backslashes
+/// count as slashes. Quotes and blanks around a path and the case of letters are ignored. Each folder is
+/// searched for the whole path, then for shorter and shorter ends of the path, and at last for the file name
+/// alone. An absolute path is never opened; only its ends are searched. Only regular files that are not empty
+/// are found: reading a pipe or a device could wait forever, and files of /proc have no size.
 ///
 /// The listing of each folder is cached, so that a thousand look-ups cost little more than a few. Not
 /// thread-safe.

@@ -78,7 +78,7 @@ private:
         }
         if (lower_case(input_.peek(3).substr(0, 3)) != "ply")
             refuse("is not a PLY file");
-        // The end of the first line determines how all header lines end: with LF or CR LF, or with CR alone.
+        // The line end of the first line is used for the whole header: LF or CR LF, or CR alone.
         start = input_.peek(longest_line);
         const size_t end = start.find_first_of("\r\n");
         ends_with_cr_ = end != std::string_view::npos && start[end] == '\r' &&

@@ -16,7 +16,7 @@
 namespace estampe::ply {
 namespace {
 
-/// The meaning of a property, that is, of a number in a row.
+/// The meaning of a property. A property is one number in each row.
 enum class Use : uint8_t {
     none,
     x,
@@ -98,7 +98,7 @@ Use use_of(Kind kind, const Property& property)
     return found == uses.end() ? Use::none : found->second;
 }
 
-/// Largest value of a colour channel that is stored in this number type.
+/// Returns the largest value of a colour channel that is stored in this number type.
 double full_color(Type type)
 {
     switch (type) {
@@ -233,7 +233,7 @@ private:
         for (const Property& property : element.properties) {
             Use use = use_of(kind, property);
             if (has[static_cast<size_t>(use)])
-                use = Use::none; // if a property name occurs twice, the first one is used
+                use = Use::none; // if a property name occurs twice, only the first property is used
             has[static_cast<size_t>(use)] = use != Use::none;
             uses_.push_back(use);
             scales_.push_back(use >= Use::red && use <= Use::alpha ? 1.0 / full_color(property.type) : 1.0);
@@ -314,7 +314,7 @@ private:
         }
     }
 
-    /// Handles a row with too few numbers. If it is a vertex, an invalid vertex is added, so that later
+    /// Handles a row with too few numbers. If the row is a vertex, an invalid vertex is added, so that later
     /// indices remain right.
     void take_short_row(Kind kind)
     {
@@ -338,7 +338,7 @@ private:
     /// Converts a number in the file to a vertex index. Returns no_index if it is invalid.
     [[nodiscard]] uint32_t vertex_of(double index) const
     {
-        // If vertices come after faces, the number of vertices is not known yet.
+        // If vertices come after faces, the number of vertices is not known while faces are read.
         const double limit = has_vertices_ ? static_cast<double>(data_.positions.size()) : 4294967295.0;
         return index >= 0.0 && index < limit ? static_cast<uint32_t>(index) : no_index;
     }
@@ -375,8 +375,8 @@ private:
 
     void add_triangle(uint32_t a, uint32_t b, uint32_t c, const glm::vec4& face_color)
     {
-        // Triangles of earlier elements may lack these attributes, so the lists are extended with default
-        // values.
+        // Triangles of earlier elements may lack these attributes, so the lists are first extended with
+        // default values for those triangles.
         const size_t before = data_.triangles.size() / 3;
         data_.triangles.insert(data_.triangles.end(), {vertices_[a], vertices_[b], vertices_[c]});
         if (has_corner_uvs_) {
@@ -401,7 +401,7 @@ private:
         }
     }
 
-    /// Reads triangle strips. The index -1 ends a strip; the next index starts another.
+    /// Reads triangle strips. The index -1 ends a strip; the next index starts another strip.
     void take_strip()
     {
         const std::vector<double> strip = corners_;
@@ -417,7 +417,8 @@ private:
             const bool is_odd = (i - start) % 2 == 1;
             const std::array<double, 3> corners{strip[i - 2], is_odd ? strip[i] : strip[i - 1],
                                                 is_odd ? strip[i - 1] : strip[i]};
-            // Strips change direction with degenerate triangles, which use a vertex twice. These are skipped.
+            // Where a strip changes its direction, it has degenerate triangles, which use a vertex twice.
+            // These triangles are skipped.
             if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
                 take_face(corners, glm::vec4(1.0F));
         }
@@ -433,8 +434,8 @@ private:
             data_.lines.insert(data_.lines.end(), {start, end});
     }
 
-    /// Drops elements that refer to missing vertices. Vertices may come after the elements, so this is
-    /// checked last.
+    /// Drops elements that refer to missing vertices. Vertices may come after the elements, so the indices
+    /// are checked last.
     void drop_missing()
     {
         const auto limit = static_cast<uint32_t>(data_.positions.size());

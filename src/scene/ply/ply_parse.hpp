@@ -27,27 +27,27 @@ enum class Type : uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, 
 
 /// A property in each row of an element: one number, or a list of numbers preceded by its length.
 struct Property {
-    std::string name; ///< in lower case
+    std::string name; ///< name of the property, in lower case
     Type type = Type::float32;
     std::optional<Type> length_type; ///< type of a list's length; not set for a single number
 };
 
 /// A PLY element: a table of `count` rows. Each row has all properties.
 struct Element {
-    std::string name; ///< in lower case
+    std::string name; ///< name of the element, in lower case
     uint64_t count = 0;
     std::vector<Property> properties;
 };
 
 struct Header {
     Format format = Format::ascii;
-    std::vector<Element> elements;          ///< in the order in which their rows are stored
-    std::vector<std::string> texture_files; ///< from comments that begin with TextureFile
+    std::vector<Element> elements;          ///< elements in the order in which their rows are stored
+    std::vector<std::string> texture_files; ///< names of textures, from comments that begin with TextureFile
 };
 
 /// Reads the header of a PLY file. Afterwards the input is at the first byte after the line end of the
-/// header. No further line end is skipped, because binary data may begin with bytes that look like one.
-/// Throws Error naming file and line when the header is not a PLY header.
+/// header. Further line ends are not skipped, because binary data may begin with bytes that look like a line
+/// end. Throws Error naming file and line when the header is not a PLY header.
 [[nodiscard]] Header read_header(Input& input);
 
 /// Rows of numbers as text, one row per line.
@@ -70,10 +70,10 @@ public:
     /// Reads the next number of the row. Returns false at the end of the row.
     bool read(Type /*type*/, double& value) { return words_.number(value); }
 
-    /// Whether the file is large enough to contain `count` more numbers.
+    /// Returns whether the file is large enough to contain `count` more numbers.
     [[nodiscard]] bool has_room(uint64_t count, Type /*type*/) const { return count <= input_.size(); }
 
-    /// Whether the end of the file may have truncated this row.
+    /// Returns whether the end of the file may have truncated this row.
     [[nodiscard]] bool may_be_cut() const { return !input_.line_was_ended(); }
 
     /// If a text row is too short, the parser can continue with the next line as a new row.
@@ -182,12 +182,12 @@ private:
 struct Data {
     std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> uvs;    ///< v points up, as in the PLY file
-    std::vector<glm::vec4> colors; ///< linear colours
+    std::vector<glm::vec2> uvs;    ///< texture coordinates of vertices; v points up, as in the PLY file
+    std::vector<glm::vec4> colors; ///< linear colours of vertices
     std::vector<uint32_t> triangles;
-    std::vector<glm::vec2> corner_uvs;   ///< empty, or one for each entry of `triangles`
-    std::vector<glm::vec4> face_colors;  ///< empty, or one for each triangle; linear
-    std::vector<uint32_t> face_textures; ///< empty, or per triangle an index into `texture_files`
+    std::vector<glm::vec2> corner_uvs;   ///< texture coordinates for each entry of `triangles`; may be empty
+    std::vector<glm::vec4> face_colors;  ///< linear colour of each triangle; may be empty
+    std::vector<uint32_t> face_textures; ///< for each triangle: an index into `texture_files`; may be empty
     std::vector<uint32_t> lines;
     std::vector<std::string> texture_files;
     bool promises_faces = false; ///< the header declares faces, strips or edges, even if there are none

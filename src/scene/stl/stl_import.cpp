@@ -30,11 +30,11 @@ namespace {
 struct Solid {
     std::string name;
     std::vector<glm::dvec3> positions;
-    std::vector<glm::vec4> colors; ///< linear; empty, or one per facet
+    std::vector<glm::vec4> colors; ///< linear colours of the facets; may be empty
 };
 
 struct Data {
-    std::vector<Solid> solids; ///< each with at least one facet
+    std::vector<Solid> solids; ///< solids of the file, each with at least one facet
     std::vector<std::string> warnings;
 };
 
@@ -278,8 +278,8 @@ std::string start_of(Input& input)
     return lower_case(input.peek(1024).substr(0, 1024));
 }
 
-/// Whether an STL file is text. Many binary files also begin with "solid". So the lines after it must contain
-/// a keyword of a facet or the end of the solid, and no zero byte.
+/// Returns whether an STL file is text. Many binary files also begin with the word "solid". Therefore the
+/// following lines must contain a keyword of a facet or the end of the solid, and no zero byte.
 bool is_text(const std::string& start)
 {
     const size_t first = start.find_first_not_of(" \t\r\n");
@@ -293,7 +293,7 @@ bool is_text(const std::string& start)
                                                 start.find("endsolid", end_of_line) != std::string::npos);
 }
 
-/// Whether a file consists of printable text, such as a web page that was saved instead of a model.
+/// Returns whether a file consists of printable text, such as a web page that was saved instead of a model.
 bool is_other_text(const std::string& start)
 {
     return std::all_of(start.begin(), start.end(), [](unsigned char letter) {
@@ -301,7 +301,7 @@ bool is_other_text(const std::string& start)
     });
 }
 
-/// Whether the facet count at byte 80 exactly matches the size of the file.
+/// Returns whether the facet count at byte 80 exactly matches the size of the file.
 bool is_exactly_binary(Input& input)
 {
     const std::string_view start = input.peek(bytes_before_facets);
@@ -362,8 +362,8 @@ Primitive primitive_of(stl::Solid& solid, const glm::dvec3& origin)
     return primitive;
 }
 
-/// Drops facets whose corners are all at one point. If writing a file was interrupted, its rest consists of
-/// zeros. Facets of zeros would enlarge the bounds of the scene.
+/// Drops facets whose corners are all at one point. If writing a file was interrupted, the rest of the file
+/// consists of zeros, which would be read as facets at the origin and enlarge the bounds of the scene.
 void drop_points(stl::Data& data)
 {
     uint64_t dropped = 0;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int grid = 8;
 
-/// The grid cell of a point, as seen along the axis of a side of the box. Nothing if the point is near the
-/// rim of the side.
+/// Returns the grid cell of a point, as seen along the axis of a side of the box. Returns nothing if the
+/// point is near the rim of the side.
 std::optional<size_t> grid_cell(const glm::dvec3& part, int axis)
 {
     constexpr double rim = 0.1;
@@ -33,12 +33,14 @@ constexpr double nothing = -std::numeric_limits<double>::infinity();
 /// itself.
 struct Outermost {
     double height = nothing;
-    double inward_height = nothing;  ///< height of the outermost point that faces the middle
-    double outward_height = nothing; ///< height of the outermost point that faces away
+    /// height of the outermost point whose surface faces the middle of the box.
+    double inward_height = nothing;
+    /// height of the outermost point whose surface faces away from the middle.
+    double outward_height = nothing;
     bool two_sided = false;
 
-    /// Whether there is a wall of a room at this side of the box, with no surface before it that is visible
-    /// from outside. The outside of a thick wall is such a surface, and so is the second face of a doubled
+    /// Returns whether a wall of a room is at this side of the box. There must be no surface in front of the
+    /// wall that is visible from outside, such as the outside of a thick wall or the second face of a doubled
     /// wall.
     [[nodiscard]] bool is_wall_of_room() const
     {
@@ -106,7 +108,7 @@ namespace {
 /// Height of the lamp above the floor, as a share of the room's height.
 constexpr double lamp_height = 0.84;
 
-/// Bounds of the points, without the outermost hundredth of the points on each side.
+/// Returns the bounds of the points, without the outermost hundredth of the points on each side.
 Bounds trimmed_bounds(const std::vector<SurfacePoint>& points, const glm::dvec3& origin)
 {
     Bounds bounds;
@@ -124,8 +126,8 @@ Bounds trimmed_bounds(const std::vector<SurfacePoint>& points, const glm::dvec3&
     return bounds;
 }
 
-/// Position of a lamp: below glowing surfaces in the upper half of the room, else below the middle of the
-/// ceiling.
+/// Returns the position of a lamp: below glowing surfaces in the upper half of the room, else below the
+/// middle of the ceiling.
 glm::dvec3 lamp_place(const Shelter& shelter)
 {
     const Bounds room = trimmed_bounds(shelter.seen, shelter.origin);
@@ -189,7 +191,7 @@ public:
         }
     }
 
-    /// Share of the directions above the horizon in which there is a surface.
+    /// Returns the share of the directions above the horizon in which there is a surface.
     [[nodiscard]] double closed_above() const
     {
         const auto first = cells_.begin() + around * levels / 2;
@@ -202,7 +204,7 @@ public:
         return 1.0 - static_cast<double>(closed) / static_cast<double>(cells_.size());
     }
 
-    /// Distance to the nearest surface that an eighth of all directions exceed.
+    /// Returns a distance such that in one eighth of all directions the nearest surface is farther away.
     [[nodiscard]] double free_sight_m() const
     {
         std::vector<float> distances;
@@ -240,8 +242,8 @@ double area_of(const std::vector<SurfacePoint>& points)
     });
 }
 
-/// The points that are hidden from outside: in none of six views, from all around, above and below, are they
-/// visible.
+/// Returns the points that are hidden from outside. A point is hidden if none of six views, from all around,
+/// above and below, shows it.
 std::vector<SurfacePoint> hidden_points(const SurfaceCloud& cloud)
 {
     constexpr std::array<glm::dvec2, 6> views{
@@ -256,8 +258,8 @@ std::vector<SurfacePoint> hidden_points(const SurfaceCloud& cloud)
     return hidden;
 }
 
-/// Share of the hidden surface that belongs to free-standing objects. A point counts if, as seen from the
-/// middle, another hidden point behind it is clearly further away.
+/// Returns the share of the hidden surface that belongs to free-standing objects. A point counts if, as seen
+/// from the middle, another hidden point behind it is clearly further away.
 double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3& middle)
 {
     constexpr int around = 64;
@@ -289,17 +291,18 @@ double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3&
     return free_m2 / std::max(area_of(hidden), 1e-30);
 }
 
-/// Whether a space that the hidden surface encloses is large enough for a standing person, and not too high
-/// for a room.
+/// Returns whether the space that the hidden surface encloses is large enough for a standing person, and not
+/// too high for a room.
 bool could_stand_within(const Bounds& space)
 {
     constexpr double least_m = 1.6;
-    constexpr double most_headroom_m = 25.0; // higher: the unit is not metres, or it is no room
+    // greatest height of a room; if it is higher, the unit is not metres or it is not a room.
+    constexpr double most_headroom_m = 25.0;
     const glm::dvec3 size = space.max - space.min;
     return std::min({size.x, size.y, size.z}) >= least_m && size.y <= most_headroom_m;
 }
 
-/// Whether the inside of a room contains objects, windows or doors.
+/// Returns whether the inside of a room contains objects, windows or doors.
 bool is_worth_seeing(const SurfaceCloud& cloud, const std::vector<SurfacePoint>& hidden, const Bounds& space)
 {
     constexpr double some_furniture = 0.005;
@@ -361,8 +364,10 @@ std::optional<Shelter> shelter_around(const SurfaceCloud& cloud, const glm::dvec
 
 std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
 {
-    constexpr double much = 0.28;        // share of the surface; in a furnished model a fifth is hidden
-    constexpr double least_sight = 0.25; // as a share of the room's diagonal
+    // share of the surface that must be hidden in a room; in a furnished model a fifth is hidden.
+    constexpr double much = 0.28;
+    // shortest free sight from the eye, as a share of the room's diagonal.
+    constexpr double least_sight = 0.25;
     const std::vector<SurfacePoint> hidden = hidden_points(cloud);
     if (hidden.empty() || area_of(hidden) < much * area_of(cloud.points))
         return std::nullopt;
@@ -379,7 +384,7 @@ std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
         const double sight_m = surroundings.free_sight_m();
         if (surroundings.closed_above() < 0.9 || sight_m < best_sight_m)
             continue;
-        best_sight_m = 1.1 * sight_m; // a later corner wins only if its view is clearly freer
+        best_sight_m = 1.1 * sight_m; // a later corner is only chosen if the view from it is clearly freer
         best =
             CornerView{.eye = room.center() + offset,
                        .azimuth_rad = std::atan2(offset.x, offset.z),

@@ -24,7 +24,7 @@ struct StrayCell {
     double area_m2 = 0.0;
 };
 
-/// A part of the scene: no triangle connects it to other parts, and it is not close to them.
+/// A part of the scene that no triangle connects to other parts, and that is not close to them.
 struct Part {
     Bounds bounds;
     double vertices = 0.0;
@@ -70,8 +70,8 @@ public:
         }
     }
 
-    /// The connected parts of the scene. Cubes are connected by triangles or as neighbours. Parts whose boxes
-    /// intersect are merged.
+    /// Returns the connected parts of the scene. Cubes are connected by triangles or as neighbours. Parts
+    /// whose boxes intersect are merged.
     [[nodiscard]] std::vector<Part> parts()
     {
         join_neighbours();
@@ -113,8 +113,8 @@ private:
             parents_[root(a)] = root(b);
     }
 
-    /// Whether a side of a triangle is a spike: much longer than usual in a mesh with thousands of vertices.
-    /// A spike comes from a broken vertex and is ignored.
+    /// Returns whether a side of a triangle is a spike: much longer than usual in a mesh with thousands of
+    /// vertices. A spike comes from a broken vertex and is ignored.
     [[nodiscard]] bool is_spike(uint32_t a, uint32_t b) const
     {
         if (a == outside || b == outside)
@@ -191,15 +191,18 @@ double length_of(const Bounds& bounds)
     return glm::length(bounds.max - bounds.min);
 }
 
-/// Bounds of the main part, which outweighs all other parts together. Nothing if the other parts are not
-/// strays.
+/// Returns the bounds of the main part, which outweighs all other parts together. Returns nothing if the
+/// other parts are not strays (small parts far away).
 std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& whole)
 {
-    constexpr double home = 0.15;         // bonus of the part nearest to the origin; strays are far from it
-    constexpr double least_weight = 0.5;  // smallest weight of the main part
-    constexpr double far_lengths = 20.0;  // smallest extent of the scene, in lengths of the main part
-    constexpr double speck_lengths = 8.0; // far_lengths if all other parts are specks
-    constexpr double speck_share = 0.005; // largest share of all specks, by vertices and area
+    // extra weight of the part nearest to the origin; strays are far from the origin.
+    constexpr double home = 0.15;
+    constexpr double least_weight = 0.5; // smallest weight of the main part
+    // smallest extent of a scene with strays, in lengths of the main part.
+    constexpr double far_lengths = 20.0;
+    // smallest extent if all other parts are specks (tiny parts), in lengths of the main part.
+    constexpr double speck_lengths = 8.0;
+    constexpr double speck_share = 0.005; // largest share of all specks together, by vertices and area
     Part all;
     for (const Part& part : parts)
         all.add(part.bounds, part.vertices, part.area_m2);
@@ -222,7 +225,8 @@ std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& wh
 
 Bounds bounds_without_strays(const Scene& scene, const ScenePose& pose, const Bounds& whole)
 {
-    constexpr int most_rounds = 6; // repeated, because some strays are much farther away than others
+    // the search is repeated, because some strays are much farther away than others.
+    constexpr int most_rounds = 6;
     Bounds bounds = whole;
     for (int round = 0; round < most_rounds && length_of(bounds) > 0.0; ++round) {
         if (!std::isfinite(length_of(bounds)))
@@ -242,7 +246,8 @@ namespace {
 
 constexpr int level_count = 64;
 
-/// Upper end, in world space, of the thin range of heights that has the most upward-facing surface.
+/// Returns the upper end, in world space, of the thin range of heights that has the most upward-facing
+/// surface.
 double floor_level(const SurfaceCloud& cloud)
 {
     std::array<int, level_count> upward{};
@@ -258,14 +263,15 @@ double floor_level(const SurfaceCloud& cloud)
     return low + step * (static_cast<double>(most - upward.begin()) + 1.0);
 }
 
-/// Whether the surface at the floor's height is ground to stand on: a thin sheet that fills its bounding
-/// rectangle. The brim of a hat, a saucer, arms along the ground and a plinth are no ground, but parts of the
-/// subject.
+/// Returns whether the surface at the floor's height is a floor: a thin sheet that fills its bounding
+/// rectangle. The brim of a hat, a saucer, arms along the ground and a plinth are parts of the subject, not
+/// floors.
 bool is_sheet(const SurfaceCloud& cloud, double level)
 {
     constexpr int cells_across = 16;
-    constexpr double most_thickness = 0.02; // largest thickness, as a share of the width
-    constexpr double most_of_it = 0.9;      // smallest filled share of the rectangle; a disc fills 0.79
+    constexpr double most_thickness = 0.02; // largest thickness of a floor, as a share of its width
+    // smallest share of the bounding rectangle that a floor fills; a disc fills 0.79.
+    constexpr double most_of_it = 0.9;
     Bounds floor;
     for (const SurfacePoint& point : cloud.points) {
         const glm::dvec3 position = glm::dvec3(point.position) + cloud.origin;
@@ -290,16 +296,17 @@ bool is_sheet(const SurfaceCloud& cloud, double level)
            most_of_it * cells_across * cells_across;
 }
 
-/// Bounds of the objects on the floor at height `level`, if the floor is the lowest surface and much wider
-/// than the objects. Otherwise the bounds of everything.
+/// Returns the bounds of the objects on the floor at height `level`, if the floor is the lowest surface and
+/// much wider than the objects. Otherwise returns the bounds of all points.
 Bounds without_floor(const SurfaceCloud& cloud, Bounds standing, double level)
 {
     const Bounds& all = cloud.bounds;
     const glm::dvec3 whole = all.max - all.min;
     const glm::dvec3 part = standing.max - standing.min;
     const bool floor_is_lowest = level - all.min.y < 0.25 * whole.y;
-    // Factor in each horizontal direction. A plain floor must have about two and a half times the area of the
-    // objects on it; any other floor must have about a thousand times.
+    // Smallest ratio of the floor's width to the width of the objects, in each horizontal direction. A plain
+    // floor must have about two and a half times the area of the objects on it, any other floor about a
+    // thousand times.
     const double much_wider = is_sheet(cloud, level) ? 1.6 : 30.0;
     if (!floor_is_lowest || whole.x < much_wider * part.x || whole.z < much_wider * part.z)
         return all;
@@ -433,8 +440,8 @@ double deepest(const Slices& slices, size_t from, size_t to)
     return depth;
 }
 
-/// Height of the neck as a share of the subject's height. The neck is the narrowest place below a head, and
-/// the head must not be flat or far off to the side.
+/// Returns the height of the neck as a share of the subject's height. The neck is the narrowest place below a
+/// head, and the head must not be flat or far off to the side.
 std::optional<double> neck(const Slices& slices)
 {
     constexpr size_t lowest = slice_count * 2 / 5;
@@ -455,7 +462,7 @@ std::optional<double> neck(const Slices& slices)
     return found ? std::optional((static_cast<double>(*found) + 0.5) / slice_count) : std::nullopt;
 }
 
-/// Whether more than half of all vertices are skinned.
+/// Returns whether more than half of all vertices are skinned.
 bool is_skinned(const Scene& scene)
 {
     size_t skinned = 0;
@@ -482,8 +489,8 @@ std::optional<double> eye_level(const Scene& scene, const SurfaceCloud& inside)
     const Slices slices = slices_of(inside);
     const std::optional<double> found =
         size.y > 1.25 * size.x && !is_round(slices) ? neck(slices) : std::nullopt;
-    constexpr double human_neck = 0.87; // as a share of a person's height
-    // With arms held out, a person is as wide as tall.
+    constexpr double human_neck = 0.87; // height of the neck as a share of a person's height
+    // A person with arms held out is as wide as tall.
     if (!found && !(is_skinned(scene) && size.y > 0.85 * size.x && size.y > 1.5 * size.z))
         return std::nullopt;
     return glm::mix(inside.bounds.min.y, inside.bounds.max.y, 0.5 * (1.0 + found.value_or(human_neck)));

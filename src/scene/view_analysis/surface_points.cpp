@@ -55,7 +55,7 @@ public:
 
 private:
     SurfaceCloud& cloud_;
-    double due_ = 0.5; ///< steps until the next point; kept from primitive to primitive
+    double due_ = 0.5; ///< part of the step to the next point that remains; kept from primitive to primitive
     double step_m2_ = 1.0;
     double due_m2_ = 1.0;
 };
@@ -78,7 +78,7 @@ double area_of(const PosedPrimitive& posed)
 SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t count)
 {
     SurfaceCloud cloud;
-    std::vector<double> areas_m2; // one area per primitive, in the order of the visits
+    std::vector<double> areas_m2; // area of each primitive, in the order of the visits
     double total_m2 = 0.0;
     double surfaces = 0.0;
     visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
@@ -164,11 +164,11 @@ private:
     float cells_per_m_;
 };
 
-/// Counts of the lines that would be drawn between adjacent cells of a grid.
+/// Amounts of lines that would be drawn between adjacent cells of a grid.
 struct Lines {
-    double edges = 0.0; ///< silhouettes, between a filled and an empty cell
-    double steps = 0.0; ///< discontinuities in depth
-    double bends = 0.0; ///< changes of the surface's direction (its normal)
+    double edges = 0.0; ///< silhouettes: lines between a filled cell and an empty cell
+    double steps = 0.0; ///< lines at discontinuities in depth
+    double bends = 0.0; ///< lines at changes of the surface's direction (its normal)
 
     void add(const SurfaceCloud& cloud, const SeenGrid& seen, size_t a, size_t b)
     {
@@ -186,8 +186,8 @@ struct Lines {
     }
 };
 
-/// Fills single-cell holes, where no sample of the nearest surface falls into a cell: at least three of the
-/// four neighbours are clearly nearer.
+/// Fills holes of a single cell, into which no sample of the nearest surface falls. A cell is a hole if at
+/// least three of its four neighbours are clearly nearer to the eye.
 void close_holes(SeenGrid& seen)
 {
     const SeenGrid open = seen;

@@ -16,11 +16,13 @@
 namespace estampe {
 namespace {
 
-constexpr double house_azimuth_rad = 0.61;   // 35 degrees from the front towards the right
-constexpr double house_elevation_rad = 0.31; // 18 degrees
+// azimuth of the default eye: 35 degrees from the front towards the right.
+constexpr double house_azimuth_rad = 0.61;
+constexpr double house_elevation_rad = 0.31; // elevation of the default eye: 18 degrees
 
-/// Three-quarter views to choose from, the default first. The scores of the other views are reduced, so that
-/// they must show more to be chosen. Views from behind must show much more, because glTF models face +z.
+/// A three-quarter view that can be chosen; the default view comes first. The scores of the other views are
+/// reduced, so that one is chosen only if it shows more. Views from behind must show much more, because glTF
+/// models face +z.
 struct Candidate {
     double azimuth_rad;
     double handicap;
@@ -31,9 +33,9 @@ constexpr std::array<Candidate, 4> candidates{{{house_azimuth_rad, 1.0},
                                                {std::numbers::pi - house_azimuth_rad, 0.8},
                                                {std::numbers::pi + house_azimuth_rad, 0.8}}};
 
-/// How far the upper third of a scene is in front of the whole, towards +z, relative to its radius. It is
-/// large for an animal, whose head is high and in front. Zero if the upper third is off to the side, unlike a
-/// head, or thin, like the back of a chair.
+/// Returns how far the upper third of a scene is in front of the whole scene, towards +z, relative to the
+/// scene's radius. The value is large for an animal, because its head is high and in front. The value is zero
+/// if the upper third is off to the side, or thin like the back of a chair.
 double head_lead(const SurfaceCloud& cloud, const Bounds& subject)
 {
     const double neck = glm::mix(subject.min.y, subject.max.y, 2.0 / 3.0) - cloud.origin.y;
@@ -83,8 +85,8 @@ double best_azimuth(const SurfaceCloud& cloud, const Bounds& subject)
     return azimuth_rad;
 }
 
-/// Chooses the position of the default sun. It stays if it leaves a fair share of the visible points in light
-/// and a fair share in shade. Otherwise it moves towards the eye, or to the other side of the eye.
+/// Chooses the position of the default sun. The sun stays if a fair share of the visible points is in light
+/// and a fair share in shade. Otherwise the sun is moved towards the eye, or to the other side of the eye.
 void set_sun(ViewAnalysis& analysis, const SurfaceCloud& cloud)
 {
     struct Place {
@@ -111,7 +113,7 @@ void set_sun(ViewAnalysis& analysis, const SurfaceCloud& cloud)
     }
 }
 
-/// Azimuth of a vertical side of a box. Sides are numbered as in Walls.
+/// Returns the azimuth of a vertical side of a box. Sides are numbered as in Walls.
 double side_azimuth(size_t side)
 {
     constexpr std::array<double, 6> azimuths{

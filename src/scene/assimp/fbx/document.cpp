@@ -53,7 +53,8 @@ std::string object_name(const std::string& text)
 
 PropertyMap properties_of(const std::vector<Element>& children)
 {
-    constexpr size_t values_at = 4; // name, type, label and flags come before the values
+    // position of the first value in an FBX property; name, type, label and flags come before.
+    constexpr size_t values_at = 4;
     PropertyMap map;
     for (const Element& property : children_of(children, "Properties70")) {
         const std::string name = text_at(property, 0);
@@ -229,8 +230,8 @@ namespace {
 
 constexpr int order_xyz = 0;
 
-/// Rotation from Euler angles in degrees. `order` is the number that FBX gives to the rotation order; XYZ
-/// rotates about x first.
+/// Returns a rotation from Euler angles in degrees. `order` is the number that FBX gives to the rotation
+/// order; in the order XYZ, the rotation about x comes first.
 glm::dquat turn(const glm::dvec3& degrees, int order)
 {
     constexpr std::array<std::array<int, 3>, 6> orders{
@@ -249,7 +250,8 @@ glm::dmat4 moved(const glm::dvec3& by)
     return glm::translate(glm::dmat4(1.0), by);
 }
 
-/// Unit vector of an axis in the file's settings, which store the axis as 0 to 2 and a sign.
+/// Returns the unit vector of an axis in the file's settings, which store the axis as a number 0 to 2 and a
+/// sign.
 glm::dvec3 axis_of(const Properties& settings, const std::string& name, double fallback)
 {
     const double axis = settings.number(name).value_or(fallback);
@@ -259,7 +261,7 @@ glm::dvec3 axis_of(const Properties& settings, const std::string& name, double f
     return direction;
 }
 
-/// Matrix whose rows are the file's right, up and front axes.
+/// Returns a matrix whose rows are the file's right, up and front axes.
 glm::dmat3 axes_of(const Properties& settings)
 {
     const glm::dmat3 axes(axis_of(settings, "CoordAxis", 0.0), axis_of(settings, "UpAxis", 1.0),
@@ -329,7 +331,7 @@ namespace {
 
 constexpr double inch_mm = 25.4;
 
-// The enumerations here have the numeric values of FBX files.
+// The values of these enumerations are the numbers in FBX files.
 enum class ApertureMode { both, horizontal, vertical, focal_length };
 enum class GateFit { none, vertical, horizontal, fill, overscan, stretch };
 enum class AspectMode { window, fixed_ratio, fixed_resolution, fixed_width, fixed_height };
@@ -348,7 +350,7 @@ double positive(const Properties& camera, const char* name, double fallback)
     return value > 0.0 ? value : fallback;
 }
 
-/// Aspect ratio (width / height) of a camera's picture. The FBX default is 320 by 200.
+/// Returns the aspect ratio (width / height) of a camera's picture. The FBX default is 320 by 200.
 double picture_aspect(const Properties& camera)
 {
     const double width = positive(camera, "AspectWidth", positive(camera, "AspectW", 320.0));
@@ -364,7 +366,8 @@ double picture_aspect(const Properties& camera)
     }
 }
 
-/// How the film gate of a camera is fitted to a picture with another aspect ratio.
+/// Returns how the film gate (the exposed area of the film) of a camera is fitted to a picture with another
+/// aspect ratio.
 GateFit fit_of(const Properties& camera, double aspect, double film_aspect)
 {
     const GateFit fit = enum_of(camera, "GateFit", GateFit::none, GateFit::stretch);
@@ -380,7 +383,8 @@ double vertical_of(double horizontal_deg, double aspect)
     return 2.0 * std::atan(std::tan(0.5 * glm::radians(horizontal_deg)) / aspect);
 }
 
-/// Vertical field of view in radians. The result is not checked for implausible values in the file.
+/// Returns the vertical field of view in radians. The result is not checked for implausible values in the
+/// file.
 double vertical_fov(const Properties& camera, double aspect)
 {
     // The FBX default is 0.816 by 0.612 inches, the film size of 35 mm television.
@@ -412,8 +416,8 @@ double vertical_fov(const Properties& camera, double aspect)
     return 2.0 * std::atan2(0.5 * height_mm, focal_mm);
 }
 
-/// Half the height of a parallel projection, in metres. An FBX orthographic zoom of 1 shows 30 units of the
-/// file; Blender writes metres instead.
+/// Returns half the height of a parallel projection, in metres. An FBX orthographic zoom of 1 shows 30 units
+/// of the file; Blender writes metres instead.
 double orthographic_half_height_m(const Properties& camera, const Document& document, double aspect)
 {
     constexpr double units_at_zoom_1 = 30.0;

@@ -22,8 +22,8 @@ namespace estampe::fbx {
 
 using PropertyMap = std::map<std::string, std::vector<Value>, std::less<>>;
 
-/// Properties of an FBX object. `own` are the properties that the object sets. All others have the values of
-/// its template in the file, `defaults`.
+/// Properties of an FBX object. `own` contains the properties that the object sets. All other properties have
+/// the values in `defaults`, the object's template in the file.
 struct Properties {
     PropertyMap own;
     std::shared_ptr<const PropertyMap> defaults;
@@ -35,8 +35,8 @@ struct Properties {
     [[nodiscard]] std::string text(std::string_view name) const;
 };
 
-/// A node of an FBX file. Properties keep the units of the file: centimetres times the unit factor of the
-/// file, and degrees.
+/// A node of an FBX file. Properties keep the units of the file: lengths in centimetres times the unit factor
+/// of the file, angles in degrees.
 struct Model {
     std::string name;
     Properties properties;
@@ -71,9 +71,10 @@ struct Document {
 [[nodiscard]] Document read_document(const Tree& tree);
 
 /// Overwrites the names of some properties in the bytes of an FBX file, so that Assimp ignores these
-/// properties. They give a node a pivot or displace its geometry. Assimp applies some of them in the wrong
-/// order and passes others on to children. Without them, Assimp reads only translation, rotation and scale.
-/// The new names have the old length, so that offsets in the file stay valid.
+/// properties. The properties give a node a pivot or displace its geometry. Assimp applies some of them in
+/// the wrong order and applies others to children too. Without these properties, Assimp reads only
+/// translation, rotation and scale. A new name is as long as the old name, so that offsets in the file stay
+/// valid.
 void hide_pivots(const Tree& tree, std::span<char> file);
 
 /// The factors of a node's transform, in the order of multiplication: translation, before_rotation, rotation,
@@ -90,19 +91,20 @@ struct Parts {
 
     [[nodiscard]] glm::dmat4 matrix() const;
 
-    /// Whether the transform consists of translation, rotation and scale only.
+    /// Returns whether the transform consists of translation, rotation and scale only.
     [[nodiscard]] bool is_plain() const;
 };
 
 [[nodiscard]] Parts parts_of(const Properties& model);
 
-/// Matrix that converts positions from the axes and the unit of the file to right-handed metres with y up.
+/// Returns the matrix that converts positions from the axes and the unit of the file to right-handed metres
+/// with y up.
 [[nodiscard]] glm::dmat4 world_from_file(const Properties& settings);
 
-/// Upward direction in the file's own axes.
+/// Returns the upward direction, as a vector along the file's own axes.
 [[nodiscard]] glm::dvec3 up_of_file(const Properties& settings);
 
-/// Metres per unit of the file.
+/// Returns the number of metres per unit of the file.
 [[nodiscard]] double unit_m(const Properties& settings);
 
 /// Computes the lens of a camera of an FBX file, in metres and radians. The lens has a near plane, and either

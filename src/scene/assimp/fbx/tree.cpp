@@ -28,7 +28,7 @@ constexpr int deepest = 24;
     throw Error(fmt::format("is damaged at byte {}: {}", at, what));
 }
 
-/// Whether an element is stored in the tree. This depends on its name, its depth and its parent.
+/// Returns whether an element is stored in the tree. This depends on its name, its depth and its parent.
 bool is_kept(int depth, std::string_view parent, std::string_view name)
 {
     constexpr std::array<std::string_view, 5> sections{"FBXHeaderExtension", "GlobalSettings", "Definitions",
@@ -222,7 +222,7 @@ public:
 private:
     [[nodiscard]] bool at_end() const { return at_ >= text_.size(); }
 
-    /// Skips blanks and comments, either within the line only or across lines.
+    /// Skips blanks and comments: within the current line, or also across line ends if `across_lines` is set.
     void skip(bool across_lines)
     {
         while (!at_end()) {
@@ -336,7 +336,7 @@ uint32_t file_version(std::span<const char> head)
         if (std::from_chars(text.data() + digits, text.data() + text.size(), version).ec == std::errc{})
             return version;
     }
-    // A text file may begin with a line such as "; FBX 6.1.0 project file".
+    // A text file may begin with a comment line such as "; FBX 6.1.0 project file".
     constexpr std::string_view comment = "; FBX ";
     if (const size_t found = text.find(comment);
         found != std::string_view::npos && text.size() >= found + 9) {

@@ -2,7 +2,7 @@
 #pragma once
 
 // The tree of named elements in a binary or text FBX file. Assimp reads meshes, materials and animations from
-// such a file, but drops data of cameras, pivots and axes. This reader collects the dropped data.
+// such a file, but leaves out data of cameras, pivots and axes. This file reads those data.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,12 +24,13 @@ struct Element {
 };
 
 struct Tree {
-    uint32_t version = 0; ///< 7400 means FBX 7.4; 0 means that the file does not state its version
+    /// version of the FBX format: 7400 is FBX 7.4; 0: the file does not state its version.
+    uint32_t version = 0;
     std::vector<Element> elements;
 };
 
-/// Version of an FBX file. `head` holds the first bytes of the file; a few kilobytes suffice. Returns 0 if
-/// the file does not state its version.
+/// Returns the version of an FBX file. `head` holds the first bytes of the file; a few kilobytes suffice.
+/// Returns 0 if the file does not state its version.
 [[nodiscard]] uint32_t file_version(std::span<const char> head);
 
 /// Reads from an FBX file the settings, the objects of type Model, NodeAttribute and AnimationStack, and
