@@ -58,8 +58,8 @@ struct Texture {
     Wrap wrap_v = Wrap::repeat;
 };
 
-/// Reference of a material to a texture, with UV set and transform. The texture is sampled at uv' = transform
-/// * (u, v, 1).
+/// Reference of a material to a texture, with UV set and transform. The texture is sampled at
+/// uv' = transform * (u, v, 1).
 struct TextureRef {
     Index texture = no_index; ///< Index of the texture; no_index: the material has no such texture
     uint32_t uv_set = 0;      ///< Set of texture coordinates: 0 or 1

@@ -46,7 +46,8 @@ struct PaintedMap {
 /// picture's darkness if it is opaque. The same style and picture give the same bytes. Throws Error if no map
 /// can be drawn with the style's values or the picture has no ink.
 ///
-/// Cost    1 s for 512 px and 6 tones, on one core Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
+/// Cost    1 s for 512 px and 6 tones, on one core
+/// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
 [[nodiscard]] TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke = nullptr);
 
 /// Reads a painted tonal art map: a folder of PNG files (one per tone, or one per tone and level), a folder

@@ -19,8 +19,9 @@ namespace estampe::gpu {
 /// the shaders that the other thread has compiled. The second thread ends at once if the last passes are
 /// already cached. Failures in the second thread are ignored.
 ///
-/// Memory  address space for a second copy of the graph's resources, of which little is used Cost    on two
-/// cores, compiling 17 shaders takes about 0.6 of the time; if all are cached, the cost is a few ms
+/// Memory  address space for a second copy of the graph's resources, of which little is used
+/// Cost    on two cores, compiling 17 shaders takes about 0.6 of the time that one thread takes; if all
+///         shaders are cached, the cost is a few ms
 class CompileAhead {
 public:
     /// Opens the second device in its own thread.

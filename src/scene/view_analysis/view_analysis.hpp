@@ -98,8 +98,8 @@ struct CornerView {
 /// corner has a free view. Cost: a dozen visits of all points; most scenes need only four.
 [[nodiscard]] std::optional<CornerView> corner_view(const SurfaceCloud& cloud);
 
-/// The outermost surfaces on each side of the scene, as seen from its middle. The order is -x, +x, -y, +y,
-/// -z, +z.
+/// The outermost surfaces on each side of the scene, as seen from its middle. The order is as
+/// follows: -x, +x, -y, +y, -z, +z.
 struct Walls {
     std::array<bool, 6> inward{};    ///< the side has a wall of a room, which faces only the middle
     std::array<bool, 6> closed{};    ///< the side has a surface, which may face in any direction
