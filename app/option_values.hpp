@@ -43,8 +43,8 @@ void check_device(const std::string& text);
 /// Checks a number that was typed. Throws UsageError naming `option` unless `count` is 1 to `most`.
 void check_count(const char* option, uint32_t count, uint32_t most);
 
-/// Assignments that `--draft` adds to a style. They turn off or coarsen effects that are slow and hardly
-/// visible.
+/// Assignments that `--draft` adds to a style. The assignments turn off or coarsen effects that are slow and
+/// hardly visible.
 inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour.intersection.enabled=false",
                                               "ink.cell_mm=0.8",        "ink.age_s=1",
                                               "ink.steps_per_s=8",      "smoke.cells=32",

@@ -108,7 +108,7 @@ struct PictureChoice {
 struct RenderCommand {
     DrawOptions draw;
     PictureChoice picture;
-    bool hidden = false;            ///< Hidden lines (lines behind surfaces) are drawn as well; only for .svg
+    bool hidden = false;            ///< Lines behind surfaces (hidden lines) are drawn as well; only for .svg
     bool plotter = false;           ///< The output is for pen plotters; only for .svg
     std::string motion;             ///< File that receives motion vectors, .exr; empty: none
     double since_s = 0.0;           ///< Time from which motion vectors are measured

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The thread that owns the renderer. It draws requested pictures and runs jobs between them.
+// The thread that owns the renderer. The thread draws the requested pictures, and runs jobs between pictures.
 
 #include <array>
 #include <condition_variable>

@@ -282,8 +282,8 @@ public:
     [[nodiscard]] const std::vector<PassTiming>& timings() const;
 
     /// Statistics of the pressure solvers of smoke and flowing ink for the last picture, if its
-    /// RenderSettings::measure_solvers was set. Empty if no fluid advanced. Measuring does not change the
-    /// picture.
+    /// RenderSettings::measure_solvers was set. Empty if no fluid was simulated. Measuring does not change
+    /// the picture.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
     /// Returns the device memory in bytes that this renderer uses, including data that is kept for the next

@@ -49,9 +49,9 @@ enum class TerrainMesh : uint8_t {
 
 /// Chooses when the heights of the ground's vertices are computed again.
 enum class TerrainUpdate : uint8_t {
-    moved,  ///< Only if the camera has moved or time has advanced since the last picture
-    always, ///< For every picture, so that the time of the computation can be measured
-    still   ///< Only if the camera has moved, for a ground that does not change over time
+    moved,  ///< Heights are computed again if the camera has moved or time has advanced
+    always, ///< Heights are computed again for every picture, so that this time can be measured
+    still   ///< Heights are computed again only if the camera has moved, as for ground that never changes
 };
 
 /// Resolution and extent of the terrain mesh.
@@ -75,7 +75,7 @@ struct TerrainLook {
     bool operator==(const TerrainLook&) const = default;
 };
 
-/// Wind ripples of sand, visible from near. They change the normals, not the heights.
+/// Wind ripples of sand, visible from near. Ripples change the normals of the ground, not its heights.
 struct TerrainRipples {
     float wavelength_m = 0.12F; ///< Distance from one ripple's crest to the next
     float height_m = 0.01F;     ///< Height of a ripple from trough to crest; 0: no ripples

@@ -65,7 +65,7 @@ struct SunPlan {
 /// Plan of all lights, except for the position of the sun.
 struct LightPlan {
     uint32_t local_count = 0;
-    /// some strokes follow the light's direction, and there are local lights (lamps).
+    /// Some strokes follow the light's direction, and there are local lights (lamps).
     bool leads_strokes = false;
     bool has_links = false;      ///< some objects are not lit or shadowed by all lights
     float lightmap_scale = 1.0F; ///< factor that converts the lightmap's exposure to the frame's exposure
@@ -181,7 +181,7 @@ struct PlanInputs {
     const gpu::Device& device;
     /// Path with which triangles are rasterised; never RasterPath::automatic.
     RasterPath raster_path = RasterPath::compute;
-    /// raster path that the options ask for; may be automatic.
+    /// Raster path that the options request; may be RasterPath::automatic.
     RasterPath wanted_path = RasterPath::automatic;
     sky::CloudMemory& clouds;
 };

@@ -105,7 +105,8 @@ bool offers_compute_raster(const Features& have)
 
 namespace {
 
-/// Enables the required features, and the features for raster in compute if requested.
+/// Enables the required device features. If requested, also enables the features for rasterising in compute
+/// shaders.
 void enable_features(VkPhysicalDeviceFeatures& core, VkPhysicalDeviceVulkan12Features& v12,
                      VkPhysicalDeviceVulkan13Features& v13, bool compute_raster)
 {

@@ -121,7 +121,8 @@ glm::ivec4 straight(const glm::vec4& page, const glm::vec3& paper, const Arithme
 
 namespace {
 
-/// Returns the colour and alpha of a multiply layer that turns the composite `laid` into `wanted`.
+/// Returns the colour and alpha of a layer with the blend mode multiply. The layer changes the composite of
+/// the layers below, `laid`, into `wanted`.
 glm::ivec4 multiplying(Laid& laid, const Wanted& wanted, const Arithmetic& in)
 {
     glm::ivec4 pixel(in.top());

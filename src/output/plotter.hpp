@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Prepares drawings for pen plotters: removes strokes, cuts them into dashes, and orders them for little
-// travel.
+// Prepares drawings for pen plotters: removes strokes that need not be drawn, cuts hidden strokes into
+// dashes, and orders strokes so that the lifted pen travels little.
 
 #include <cstdint>
 #include <span>

@@ -263,7 +263,7 @@ ViewAxes axes_of(const ViewDirection& from)
 double fitting_half_height(const Bounds& seen, double aspect)
 {
     const glm::dvec3 half = 0.5 * (seen.max - seen.min);
-    // width of the margin on both sides together, as a share of half the picture's height.
+    // Width of the margin on both sides together, as a share of half the picture's height.
     const double rim = 2.0 * framed_margin * std::min(1.0, aspect);
     return std::max(half.y / (1.0 - rim), half.x / (aspect - rim));
 }

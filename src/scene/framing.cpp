@@ -111,7 +111,7 @@ bool Subject::has_floor_at(const glm::dvec3& position) const
 
 namespace {
 
-// extra margin below the subject for its shadow, as a share of the picture's shorter side.
+// Extra margin below the subject for its shadow, as a share of the picture's shorter side.
 constexpr double shadow_room = 0.03;
 
 /// Horizontal extent of points in the picture, as tangents. `depth` is the depth of the leftmost or the
@@ -196,7 +196,7 @@ std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose
 ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
                        const ViewAnalysis& analysis, const SunBearing& sun, const Subject& subject)
 {
-    // smallest sine of the sun's height (15 degrees); shadows of a lower sun are too long for the page.
+    // Smallest sine of the sun's height (15 degrees); shadows of a lower sun are too long for the page.
     constexpr double lowest_sun = 0.26;
     ViewPoints points;
     const auto light = shadow_light(scene, pose, analysis, sun);

@@ -18,9 +18,9 @@ namespace estampe {
 struct SpotBeam {
     SpotShape shape = SpotShape::cone;
     glm::vec3 direction{0.0F, -1.0F, 0.0F}; ///< direction of the beam, a unit vector
-    /// only for pyramids: unit vector perpendicular to the beam and to two sides of the pyramid.
+    /// Only for pyramids: unit vector perpendicular to the beam and to two sides of the pyramid.
     glm::vec3 side{1.0F, 0.0F, 0.0F};
-    /// factor on the cosine in the light share saturate(cos(angle) * scale + offset) squared.
+    /// Factor on the cosine in the light share saturate(cos(angle) * scale + offset) squared.
     float cone_scale = 1.0F;
     float cone_offset = 0.0F;
 };

@@ -31,7 +31,7 @@ void check_camera(const Camera& camera);
 /// Number of vertices and triangles to draw. A mesh counts once for each node or instance that shows it.
 struct DrawnSize {
     uint64_t vertices = 0;
-    /// number of triangles; lines and points count as the triangles with which they are drawn.
+    /// Number of triangles; lines and points count as the triangles with which they are drawn.
     uint64_t triangles = 0;
 };
 

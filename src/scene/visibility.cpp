@@ -70,7 +70,7 @@ public:
     View(const Camera& camera, double aspect)
         : view_from_world_(glm::lookAt(camera.eye, camera.target, camera.up))
     {
-        // factor that widens the view, because drawn lines extend beyond the surfaces that they outline.
+        // Factor that widens the view, because drawn lines extend beyond the surfaces that they outline.
         constexpr double margin = 1.02;
         if (camera.orthographic_half_height_m) {
             const double half_m = margin * *camera.orthographic_half_height_m;
@@ -156,7 +156,7 @@ public:
 private:
     glm::dmat4 view_from_world_;
     std::array<glm::dvec4, 4> sides_{};
-    /// distance of the near plane; a parallel projection has no near plane.
+    /// Distance of the near plane; a parallel projection has no near plane.
     double near_m_ = -std::numeric_limits<double>::infinity();
     bool has_eye_ = false;
 };

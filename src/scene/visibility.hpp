@@ -23,10 +23,10 @@ void hide_invisible(Scene& scene);
 
 /// What a camera can see of a scene.
 enum class ViewContent : uint8_t {
-    /// nothing is in view; certain: everything is behind the camera, before its near plane or beside its
+    /// Nothing is in view; certain: everything is behind the camera, before its near plane or beside its
     /// view.
     nothing,
-    /// only back faces are in view; certain: all surfaces in view are one-sided and face away, so none is
+    /// Only back faces are in view; certain: all surfaces in view are one-sided and face away, so none is
     /// drawn.
     backs_only,
     something, ///< something may be in view, but surfaces may still hide each other or cover no pixel

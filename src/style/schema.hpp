@@ -101,7 +101,7 @@ protected:
     void apply_any(void* values, const Override& change) const;
     [[nodiscard]] std::string write_any(const void* values) const;
 
-    /// Place of the overrides for single surfaces in the values; none: overrides are not supported.
+    /// Member of the values that stores the overrides for single surfaces; none: overrides are not supported.
     std::optional<Place> overrides_;
 
 private:

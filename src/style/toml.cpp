@@ -65,7 +65,8 @@ struct ScanStop {
 };
 
 /// Finds the end of the single-line or multi-line string that begins at `at`: the offset just after its
-/// quotes. An unterminated string ends with its line, or a multi-line one with the text.
+/// quotes. If the string is not terminated, its end is the end of the line, or for a multi-line string the
+/// end of the text.
 ScanStop end_of_string(std::string_view text, size_t at)
 {
     // The last three quotes close the string; quotes before these belong to the string.

@@ -24,9 +24,9 @@ namespace estampe::features {
 /// once, at the first call.
 class DefaultLight {
 public:
-    /// Returns the analysis of the view, by which the default light is placed. It is for the camera's eye if
-    /// an eye is given. Empty if the style uses the scene's own lights. Cost: the first call costs as much as
-    /// analyze_view(), a later call a millisecond.
+    /// Returns the analysis of the view, by which the default light is placed. If an eye is given, the
+    /// analysis is for this eye. Empty if the style uses the scene's own lights. Cost: the first call costs
+    /// as much as analyze_view(), a later call a millisecond.
     [[nodiscard]] ViewAnalysis analysis(const Scene& scene, const light::LightStyle& style,
                                         const std::optional<glm::dvec3>& eye);
 

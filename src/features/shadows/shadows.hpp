@@ -113,8 +113,8 @@ struct PageView {
     uint32_t longer_side_px = 1;
 };
 
-/// Returns a light's request for space in the shadow atlas: as many texels as the light's shadows cover
-/// pixels, but at most the size in the style. If the style sets no size, the limit is half the page for a
+/// Returns a light's request for space in the shadow atlas: one texel for each pixel that the light's shadows
+/// cover, but at most the size in the style. If the style sets no size, the limit is half the page for a
 /// point light and the whole page for a spot. The importance grows with the share of the page that the light
 /// reaches.
 [[nodiscard]] shadow::AtlasRequest atlas_request(const shared::LightRecord& record,

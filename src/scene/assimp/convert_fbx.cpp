@@ -384,7 +384,7 @@ bool is_set_to_zero(const fbx::Properties& properties, std::string_view name)
 void hide_own(Scene& scene, Index index, const std::vector<bool>& is_model)
 {
     for (const Index child : scene.nodes[index].children)
-        // larger indices belong to nodes that were added by this function.
+        // Larger indices belong to nodes that were added by this function.
         if (child >= is_model.size() || !is_model[child])
             scene.nodes[child].visible = false;
     if (scene.nodes[index].mesh == no_index && scene.nodes[index].light == no_index)

@@ -23,7 +23,7 @@
 namespace estampe::dae {
 namespace {
 
-/// width / height that is assumed for a camera with only a width, because the page is not known yet.
+/// Width / height that is assumed for a camera with only a width, because the page is not known yet.
 constexpr double usual_aspect = 16.0 / 9.0;
 
 double unit_m(const pugi::xml_node& collada)

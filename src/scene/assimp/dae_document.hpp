@@ -13,7 +13,7 @@ namespace estampe::dae {
 /// A COLLADA document rewritten for Assimp, and the data that Assimp would lose.
 struct Document {
     std::string text; ///< text of the document in UTF-8
-    /// lenses of all cameras; the index is lens_index() of a camera that Assimp reads from `text`.
+    /// Lenses of all cameras; the index is lens_index() of a camera that Assimp reads from `text`.
     std::vector<SceneCamera> lenses;
     std::optional<double> frames_per_s;
     std::optional<double> unit_m; ///< metres per unit of length; not set if the file does not give it

@@ -10,8 +10,8 @@
 namespace estampe::charts {
 namespace {
 
-/// Returns whether `axis` separates two triangles. It does if the projections of the triangles onto the axis
-/// overlap by at most 1e-4 of the shorter projection.
+/// Returns whether `axis` separates two triangles. They are separate if the projections of the triangles onto
+/// the axis overlap by at most 1e-4 of the shorter projection.
 bool separates(const glm::vec2& axis, const FlatTriangle& a, const FlatTriangle& b)
 {
     constexpr float tolerance = 1e-4F;
@@ -148,7 +148,7 @@ std::vector<Face> faces_of(std::span<const glm::vec3> corners)
         }
     }
     const std::vector<uint32_t> vertices = welded(corners);
-    // each edge: two vertices, and the triangle to which the edge belongs.
+    // Each edge: two vertices, and the triangle to which the edge belongs.
     std::vector<std::tuple<uint32_t, uint32_t, uint32_t>> edges;
     for (uint32_t i = 0; i < vertices.size(); ++i) {
         const uint32_t next = vertices[i % 3 == 2 ? i - 2 : i + 1];

@@ -18,7 +18,7 @@ namespace estampe::charts {
 /// Adjacent triangles that are nearly coplanar, and their projection into the plane.
 struct Chart {
     std::vector<uint32_t> triangles;
-    /// positions of the corners in the chart, three per triangle, in metres on the surface; never negative.
+    /// Positions of the corners in the chart, three per triangle, in metres on the surface; never negative.
     std::vector<glm::vec2> corners_m;
     glm::vec2 size_m{0.0F};
 };
@@ -42,7 +42,7 @@ inline constexpr float steepest_lean_rad = 0.785F;
 /// Positions of the charts in a square texture, the atlas.
 struct Atlas {
     uint32_t size = 0; ///< texels per side of the atlas
-    /// positions of the corners in the atlas, three per triangle, in texels from the top left; texel centres
+    /// Positions of the corners in the atlas, three per triangle, in texels from the top left; texel centres
     /// at .5.
     std::vector<glm::vec2> corners;
     std::vector<uint32_t> triangles; ///< indices of the triangles that are in the atlas

@@ -29,7 +29,7 @@ constexpr double max_offset = 1099511627776.0;
 struct Rule {
     std::string_view key;
     Kind kind = Kind::object;
-    /// depends on the type: name of the array that an index refers to, name of an object's schema, or list of
+    /// Depends on the type: name of the array that an index refers to, name of an object's schema, or list of
     /// valid words.
     std::string target;
     bool required = false;

@@ -71,7 +71,7 @@ private:
     void warn_of_unread(const Use& use);
 
     Data& data_;
-    /// for each image of the file: the first image with the same file or bytes.
+    /// For each image of the file: the first image with the same file or bytes.
     std::vector<int> first_of_same_;
     std::map<std::tuple<int, int, Wrap, Wrap>, Index> index_of_;
     std::vector<Use> uses_;

@@ -62,7 +62,7 @@ struct ImageSource {
 };
 
 struct Document {
-    /// the file as tinygltf parsed it, without buffers, images, and the indices of primitives.
+    /// The file as tinygltf parsed it, without buffers, images, and the indices of primitives.
     tinygltf::Model model;
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;

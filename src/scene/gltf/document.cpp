@@ -125,7 +125,7 @@ std::string place_in_json(const Container& container, const std::string& file, s
     }
     const std::string_view before = container.json.substr(0, std::min(json_byte, container.json.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    // if there is no line end, npos + 1 is 0, the start of the first line.
+    // If there is no line end, npos + 1 is 0, the start of the first line.
     const size_t line_start = before.rfind('\n') + 1;
     return fmt::format("{}:{}:{}", file, line, before.size() - line_start + 1);
 }

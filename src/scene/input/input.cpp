@@ -126,7 +126,7 @@ void Input::make_room(size_t count)
 
 void Input::fill(size_t count)
 {
-    // smallest file size in bytes for which progress is reported; smaller files, such as material libraries,
+    // Smallest file size in bytes for which progress is reported; smaller files, such as material libraries,
     // show none.
     constexpr uint64_t worth_telling = 1U << 20U;
     constexpr double share_of_load = 0.4;
@@ -163,7 +163,7 @@ void Input::fill_from_utf16()
 {
     std::vector<char> raw(block_bytes);
     const size_t units = read_raw(raw.data(), raw.size()) / 2;
-    // room for the worst case: a UTF-16 unit becomes at most three bytes, plus three for a lone surrogate.
+    // Room for the worst case: a UTF-16 unit becomes at most three bytes, plus three for a lone surrogate.
     make_room(6 * units + 3);
     for (size_t i = 0; i < units; ++i) {
         const uint32_t a = static_cast<uint8_t>(raw[2 * i]);
@@ -268,9 +268,9 @@ std::string Input::place() const
 
 namespace {
 
-/// limit for coordinates; mend_primitive() drops vertices that are farther out.
+/// Limit for coordinates; mend_primitive() drops vertices that are farther out.
 constexpr double most_m = 1e15;
-/// largest distance of coordinates from zero, divided by their extent, for which the origin stays at zero.
+/// Largest distance of coordinates from zero, divided by their extent, for which the origin stays at zero.
 constexpr double furthest_of_file = 16.0;
 constexpr double furthest_of_object = 1024.0;
 

@@ -355,7 +355,7 @@ public:
         const uint32_t group = group_of(of);
         const bool all = shares_average(corners, of) || face == glm::vec3(0.0F);
         if (group == 0 && !all)
-            // adding zero removes negative zeros, whose bytes differ from those of positive zeros.
+            // Adding zero removes negative zeros, whose bytes differ from those of positive zeros.
             return glm::normalize(face) + glm::vec3(0.0F);
         glm::vec3 sum{0.0F};
         // Normals are added in the order of the corners. Corners with the same neighbours then get bitwise

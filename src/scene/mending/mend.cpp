@@ -166,7 +166,7 @@ void check_structure(const Scene& scene, const std::string& where)
 
 namespace {
 
-/// coordinates above this limit are unusable, because squares of lengths overflow floats.
+/// Coordinates above this limit are unusable, because squares of lengths overflow floats.
 constexpr float farthest_vertex_m = 1e15F;
 
 size_t corners_of(Topology topology)

@@ -145,7 +145,7 @@ void Triangulation::clip_ears(std::vector<uint32_t>& triangles)
                 is_reflex_[i] = false;
         --left;
         tried = 0;
-        // continues after the next corner, because cutting every other corner gives fewer slivers than a fan.
+        // Continues after the next corner, because cutting every other corner gives fewer slivers than a fan.
         at = next_[behind];
     }
     triangles.insert(triangles.end(), {kept_[last_[at]], kept_[at], kept_[next_[at]]});

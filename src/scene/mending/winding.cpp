@@ -235,7 +235,7 @@ private:
 struct SurfacePiece {
     Bounds bounds;
     double volume_m3 = 0.0;
-    /// the piece is closed and consistently wound, and its back faces point outwards.
+    /// The piece is closed and consistently wound, and its back faces point outwards.
     bool is_inside_out = false;
     std::vector<uint32_t> triangles; ///< triangles of the piece; only filled if the piece is inside out
 };

@@ -355,7 +355,8 @@ private:
 
 void set_opacity(const MtlMaterial& source, Material& material, std::vector<std::string>& warnings)
 {
-    // `d` has priority over `Tr`, because programs disagree on whether Tr 1 is clear or opaque.
+    // The statement `d` is used before the statement `Tr`, because programs disagree on whether Tr 1 means
+    // clear or opaque.
     const double opacity = source.dissolve.value_or(1.0 - source.transparency.value_or(0.0));
     if (!(opacity > 0.0)) {
         warnings.push_back(

@@ -176,7 +176,7 @@ void PieceBuilder::drop_missing(Piece& piece)
         piece.vertices.clear();
     for (Corner& corner : piece.vertices)
         if (is_missing(corner))
-            // no element uses this corner, so any valid position will do.
+            // No element uses this corner, so any valid position will do.
             corner = {.position = 0, .uv = no_index, .normal = no_index};
 }
 

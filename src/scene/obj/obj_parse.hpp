@@ -40,7 +40,7 @@ struct Piece {
     bool has_normals = false; ///< either all corners have a normal, or no corner has one
     std::vector<Corner> vertices;
     std::vector<uint32_t> indices;
-    /// smoothing group of each triangle; may be empty; group 0 is flat.
+    /// Smoothing group of each triangle; may be empty; group 0 is flat.
     std::vector<uint32_t> smoothing_groups;
 };
 

@@ -14,7 +14,7 @@
 namespace estampe {
 namespace {
 
-/// longest path that is searched; no operating system opens a longer path.
+/// Longest path that is searched; no operating system opens a longer path.
 constexpr size_t longest_name = 4096;
 constexpr size_t most_parts = 16;      ///< largest number of parts at the end of a path that are searched
 constexpr size_t most_listed = 200000; ///< largest number of cached entries per folder

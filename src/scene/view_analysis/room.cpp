@@ -33,9 +33,9 @@ constexpr double nothing = -std::numeric_limits<double>::infinity();
 /// itself.
 struct Outermost {
     double height = nothing;
-    /// height of the outermost point whose surface faces the middle of the box.
+    /// Height of the outermost point whose surface faces the middle of the box.
     double inward_height = nothing;
-    /// height of the outermost point whose surface faces away from the middle.
+    /// Height of the outermost point whose surface faces away from the middle.
     double outward_height = nothing;
     bool two_sided = false;
 
@@ -296,7 +296,7 @@ double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3&
 bool could_stand_within(const Bounds& space)
 {
     constexpr double least_m = 1.6;
-    // greatest height of a room; if it is higher, the unit is not metres or it is not a room.
+    // Greatest height of a room; if it is higher, the unit is not metres or it is not a room.
     constexpr double most_headroom_m = 25.0;
     const glm::dvec3 size = space.max - space.min;
     return std::min({size.x, size.y, size.z}) >= least_m && size.y <= most_headroom_m;
@@ -364,9 +364,9 @@ std::optional<Shelter> shelter_around(const SurfaceCloud& cloud, const glm::dvec
 
 std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
 {
-    // share of the surface that must be hidden in a room; in a furnished model a fifth is hidden.
+    // Share of the surface that must be hidden in a room; in a furnished model a fifth is hidden.
     constexpr double much = 0.28;
-    // shortest free sight from the eye, as a share of the room's diagonal.
+    // Shortest free sight from the eye, as a share of the room's diagonal.
     constexpr double least_sight = 0.25;
     const std::vector<SurfacePoint> hidden = hidden_points(cloud);
     if (hidden.empty() || area_of(hidden) < much * area_of(cloud.points))

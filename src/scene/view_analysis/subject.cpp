@@ -195,12 +195,12 @@ double length_of(const Bounds& bounds)
 /// other parts are not strays (small parts far away).
 std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& whole)
 {
-    // extra weight of the part nearest to the origin; strays are far from the origin.
+    // Extra weight of the part nearest to the origin; strays are far from the origin.
     constexpr double home = 0.15;
     constexpr double least_weight = 0.5; // smallest weight of the main part
-    // smallest extent of a scene with strays, in lengths of the main part.
+    // Smallest extent of a scene with strays, in lengths of the main part.
     constexpr double far_lengths = 20.0;
-    // smallest extent if all other parts are specks (tiny parts), in lengths of the main part.
+    // Smallest extent if all other parts are specks (tiny parts), in lengths of the main part.
     constexpr double speck_lengths = 8.0;
     constexpr double speck_share = 0.005; // largest share of all specks together, by vertices and area
     Part all;
@@ -225,7 +225,7 @@ std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& wh
 
 Bounds bounds_without_strays(const Scene& scene, const ScenePose& pose, const Bounds& whole)
 {
-    // the search is repeated, because some strays are much farther away than others.
+    // The search is repeated, because some strays are much farther away than others.
     constexpr int most_rounds = 6;
     Bounds bounds = whole;
     for (int round = 0; round < most_rounds && length_of(bounds) > 0.0; ++round) {
@@ -270,7 +270,7 @@ bool is_sheet(const SurfaceCloud& cloud, double level)
 {
     constexpr int cells_across = 16;
     constexpr double most_thickness = 0.02; // largest thickness of a floor, as a share of its width
-    // smallest share of the bounding rectangle that a floor fills; a disc fills 0.79.
+    // Smallest share of the bounding rectangle that a floor fills; a disc fills 0.79.
     constexpr double most_of_it = 0.9;
     Bounds floor;
     for (const SurfacePoint& point : cloud.points) {

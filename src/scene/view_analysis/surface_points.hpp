@@ -76,9 +76,9 @@ struct SeenGrid {
     static constexpr int side = 64;
     static constexpr uint32_t nothing = 0xffffffffU;
 
-    /// for each cell: index of the nearest point in the cloud.
+    /// For each cell: index of the nearest point in the cloud.
     std::vector<uint32_t> nearest = std::vector<uint32_t>(side * side, nothing);
-    /// for each cell: depth of the nearest point along the view.
+    /// For each cell: depth of the nearest point along the view.
     std::vector<float> depth_m = std::vector<float>(side * side, 0.0F);
     float cell_m = 1.0F;
 };

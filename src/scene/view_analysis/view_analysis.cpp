@@ -16,7 +16,7 @@
 namespace estampe {
 namespace {
 
-// azimuth of the default eye: 35 degrees from the front towards the right.
+// Azimuth of the default eye: 35 degrees from the front towards the right.
 constexpr double house_azimuth_rad = 0.61;
 constexpr double house_elevation_rad = 0.31; // elevation of the default eye: 18 degrees
 

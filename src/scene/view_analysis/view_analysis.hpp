@@ -49,7 +49,7 @@ struct ViewAnalysis {
     double azimuth_rad = 0.61; ///< direction from the scene to the eye: 0 is +z, a quarter turn +x
     double elevation_rad = 0.31;
     double sun_side = 1.0; ///< -1 mirrors the default sun to the other side of the eye
-    /// angle by which the sun is turned away from its default position, towards the back of the eye.
+    /// Angle by which the sun is turned away from its default position, towards the back of the eye.
     double sun_swing_rad = 0.0;
     bool cut_wall = false;  ///< the view looks in through a wall, which must be cut away
     Bounds subject;         ///< bounds to show; a wide floor counts only below the objects on it

@@ -53,7 +53,7 @@ std::string object_name(const std::string& text)
 
 PropertyMap properties_of(const std::vector<Element>& children)
 {
-    // position of the first value in an FBX property; name, type, label and flags come before.
+    // Position of the first value in an FBX property; name, type, label and flags come before.
     constexpr size_t values_at = 4;
     PropertyMap map;
     for (const Element& property : children_of(children, "Properties70")) {

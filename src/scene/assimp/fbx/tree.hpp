@@ -24,7 +24,7 @@ struct Element {
 };
 
 struct Tree {
-    /// version of the FBX format: 7400 is FBX 7.4; 0: the file does not state its version.
+    /// Version of the FBX format: 7400 is FBX 7.4; 0: the file does not state its version.
     uint32_t version = 0;
     std::vector<Element> elements;
 };
