@@ -10,19 +10,20 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint no_seed = 0xffffffffU;
 
-// Variant bits (features that are compiled into a shader) of edges.comp, seeds.comp and stroke.comp. The
-// first word of a name is the shader.
+// Variant bits: each bit compiles one feature into the shader edges.comp, seeds.comp or stroke.comp. The
+// first word of a bit's name is the shader's name.
 SHARED_CONSTANT uint edges_has_screen = 1U << 0U; // the scene has see-through surfaces
 SHARED_CONSTANT uint edges_only_cut = 1U << 1U;   // draws lines only where a texture's alpha cuts the surface
 // At least one material sets the ink and width of its outline.
 SHARED_CONSTANT uint seeds_has_own_outlines = 1U << 0U;
 SHARED_CONSTANT uint stroke_has_own_outlines = 1U << 0U;
 
-// Lines between a pixel and its neighbours to the right and below, where the surface breaks.
+// A pixel at which a line is drawn, because the visible surface ends, folds or changes its material between
+// this pixel and its neighbour to the right or below.
 struct EdgePixel {
     uint pixel; // position of the pixel: y << 16 | x
-    // Full widths in pixels, as two half floats: of the line to the right neighbour and to the one below; 0:
-    // no line.
+    // Full widths in pixels of two lines, as half floats: the line between the pixel and its right neighbour,
+    // and the line between the pixel and the one below. 0 means no line.
     uint widths_px;
 };
 
@@ -41,7 +42,8 @@ struct SeedConstants {
     // Effect of pressure on width: 0 keeps it constant, 1 makes lines hair-thin in light and double in shade.
     float pressure;
     float distance_thinning;
-    // Size of a pixel in metres, one metre from the eye; in parallel projection, at any distance.
+    // Size of a pixel in metres of the scene, at a distance of one metre from the eye. In parallel
+    // projection, the size is equal at all distances.
     float pixel_m_at_one;
     uint capacity;
 };

@@ -158,46 +158,50 @@ struct ContourInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    std::optional<CrestMesh> crests; ///< the mesh on which chains run along crests; empty if there is none
+    std::optional<CrestMesh> crests; ///< the mesh on which crests are drawn; empty if there is none
     bool own_outlines = false;       ///< at least one material sets the ink and width of its outline
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
     gpu::ImageId coordinate;
     gpu::ImageId light;
-    /// Visible share of the sun, see light::LitPixels; only set if edges of shadows are drawn.
+    /// Image of the visible share of the sun at each pixel, see light::LitPixels. Set only if the edges of
+    /// shadows are drawn.
     std::optional<gpu::ImageId> sun;
-    /// Number of the see-through draw at each pixel; a single texel if the scene has none.
+    /// Image with the number of the see-through draw (primitive of a mesh) at each pixel. The image is a
+    /// single texel if the scene has no see-through surfaces.
     gpu::ImageId screen_draw;
     bool has_screen = false;
     bool only_cut = false; ///< draws lines only where a texture's alpha cuts the surface
     gpu::ExecutionProfile execution;
     bool is_moving = false;         ///< the scene or the camera has moved since the previous frame
-    BrushImages* brushes = nullptr; ///< brushes of contour chains; null if the pen draws all lines
+    BrushImages* brushes = nullptr; ///< brush pictures of contour chains; null if all lines are plain
     float pixels_per_mm = 1.0F;
     float line_step_px = 3.0F; ///< approximate distance between samples on chains, in pixels
-    /// Size of a pixel in metres, one metre from the eye; in parallel projection, at any distance.
+    /// Size of a pixel in metres of the scene, at a distance of one metre from the eye. In parallel
+    /// projection, the size is equal at all distances.
     float pixel_m_at_one = 0.001F;
     glm::uvec2 size_px{0};
-    /// Number of the style variant (the style of certain materials or objects) of each draw, as r32ui texels;
-    /// set if surfaces have style variants.
+    /// For each draw (primitive of a mesh in one place): the number of its style variant (the style of
+    /// certain materials or objects), as r32ui texels. Set if surfaces have style variants.
     std::optional<gpu::BufferId> variant_of_draw;
     /// One VariantLines (widths and inks) per style variant (the style of certain materials or objects), for
     /// chains. Set if surfaces have style variants, or if has_inks_by_kind() is true for some variant.
     std::optional<gpu::BufferId> variant_lines;
     bool has_inks_by_kind = false;
-    /// Visibility buffer of the surfaces that hide chains. Set if these are not all solid surfaces, because
-    /// clear glass hides no lines.
+    /// Visibility buffer of the surfaces that can hide contour lines. Set only if the scene also has surfaces
+    /// that hide no lines, such as clear glass.
     std::optional<gpu::BufferId> line_hiders;
 };
 
-/// Largest distance in pixels between a pixel and the seeds (short pieces) of the lines that cover it, for
-/// lines in screen space.
+/// For lines in screen space: the largest distance in pixels at which a seed (short piece of line) can still
+/// cover a pixel.
 [[nodiscard]] uint32_t reach_px(const ContourStyle& style, float pixels_per_mm);
 
 /// Draws lines in screen space. Where identity, depth or normal changes between pixels, the shader places a
-/// seed (a short piece of line) where the front triangle ends. Jump flooding gives every pixel its nearest
-/// seed. From the seed follows an antialiased line of any width.
+/// seed (a short piece of line) where the nearer triangle ends. Jump flooding gives every pixel its nearest
+/// seed. The distance to that seed decides how much of the pixel the line covers, so lines are antialiased
+/// and can have any width.
 ///
 /// Writes  rgba8: square root of the ink's linear colour; coverage in alpha, 0 paper to 1 ink
 /// Cost    two full-screen dispatches, and one for each doubling of the width

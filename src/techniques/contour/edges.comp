@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread compares one pixel with its neighbours to the right and below, and lists the pixel if the
-// surface breaks between them.
+// visible surface breaks (ends, folds or changes its material) between two of them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread converts one listed pixel to a seed: a short piece of line with direction and width. The seed is
-// placed to a fraction of a pixel, where the front triangle ends. The order of the list does not matter.
+// placed with subpixel precision, where the nearer triangle ends. The order of the list does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -50,7 +50,8 @@ layout(binding = 9) uniform usampler2D draw_image;
 #include "shaders/material_texels.glsl"
 
 layout(binding = 12,
-       // Xy: offset of the seed from the pixel's centre; zw: direction of the line times its half width.
+       // In xy the offset of the seed from the pixel's centre, in zw the direction of the line times its half
+       // width.
        rgba16f) writeonly uniform image2D out_seed;
 
 layout(push_constant, scalar) uniform Constants
@@ -66,8 +67,8 @@ vec2 page_position(vec4 clip)
     return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.page_px) - vec2(frame.tile_from_px);
 }
 
-// Finds where the way from pixel `from` to its neighbour `to` leaves the triangle that is seen at `from`.
-// Returns the share of the way, and the direction of the crossed edge.
+// Finds where the straight path from pixel `from` to its neighbour `to` leaves the triangle seen at `from`.
+// Returns the position of this point, as a share of the path, and the direction of the crossed edge.
 void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direction)
 {
     uvec2 seen = visibility[uint(from.y) * frame.size_px.x + uint(from.x)];

@@ -20,7 +20,7 @@ layout(binding = 2) uniform usampler2D draw_image;
 #define MATERIAL_TEXELS_BINDING 4
 #include "shaders/material_texels.glsl"
 
-// Square root of the ink's linear colour; alpha is coverage.
+// The ink layer: square root of the ink's linear colour in rgb, coverage in alpha.
 layout(binding = 5, rgba8) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
@@ -71,8 +71,8 @@ void main()
         }
     }
     vec3 color = constants.ink_color;
-    // The surface that has the outline is seen at the seed's pixel, or at its neighbour to the right or
-    // below.
+    // The outline belongs to a surface that is seen at the seed's pixel, or at that pixel's neighbour to the
+    // right or below.
     for (int i = 0; has_own_outlines && inked_by != no_seed && i < 3; ++i) {
         ivec2 at = ivec2(inked_by & 0xffffu, inked_by >> 16) + ivec2(i & 1, i >> 1);
         uint word = texelFetch(draw_image, min(at, size - 1), 0).x;

@@ -147,9 +147,9 @@ uint32_t grid_cell_count(glm::uvec2 size_px)
 
 uint32_t sample_capacity(glm::uvec2 size_px)
 {
-    // Capacity in samples for scenes with many lines. Hidden lines need samples too: a view of the built-in
-    // scene `temple` has 0.8 samples per pixel on a page of 400 x 300 pixels, and half as many per pixel on a
-    // page twice as wide.
+    // Capacity of the list of line samples for scenes with many lines. Hidden lines also need samples. For
+    // example, a view of the built-in scene `temple` needs 0.8 samples per pixel on a page of 400 x 300
+    // pixels.
     constexpr uint32_t crowded_scene = 262144;
     const uint32_t pixels = size_px.x * size_px.y;
     return std::max(pixels / 4, std::min(2 * pixels, crowded_scene));
@@ -169,8 +169,8 @@ uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_
 
 struct Marks {
     gpu::BufferId facing;
-    /// What part of each loose edge (an edge without a crease or other fixed line) is outline; unused if the
-    /// mesh has no loose edges.
+    /// The part of each loose edge (an edge without a crease or other fixed line) that is outline; unused if
+    /// the mesh has no loose edges.
     gpu::BufferId edge_parts;
     gpu::BufferId words;
     gpu::BufferId before;

@@ -28,11 +28,11 @@ SHARED_CONSTANT uint line_crest = 8U;
 SHARED_CONSTANT uint line_intersection = 9U;
 SHARED_CONSTANT uint line_shadow = 10U;
 SHARED_CONSTANT uint line_kind_count = 11U;
-// The first kind of line that is found on the page; all later kinds are found there too.
+// Kinds of lines from this number on are found between the pixels of the page, not on the mesh.
 SHARED_CONSTANT uint line_first_of_page = line_intersection;
 
-// The record of a triangle in an edge mesh: the numbers of the three adjacent sides (no_side where there is
-// none), then flags.
+// The record of a triangle in an edge mesh: the numbers of the three adjacent triangle sides (no_side where
+// no triangle adjoins), then flags.
 
 SHARED_CONSTANT uint no_side = 0xffffffffU;
 
@@ -45,8 +45,8 @@ SHARED_CONSTANT uint neighbor_smooth_shift = 1U;
 SHARED_CONSTANT uint neighbor_is_inside_out = 16U;
 SHARED_CONSTANT uint neighbor_shell_shift = 5U;
 
-// Variant bits (features that are compiled into a shader) of the chain shaders. The first word of a name is
-// the shader.
+// Variant bits: each bit compiles one feature into a chain shader. The first word of a bit's name is the
+// shader's name.
 
 // For the shaders mark_*.comp: outlines follow the edges of the mesh and do not cross triangles.
 SHARED_CONSTANT uint mark_along_edges = 1U << 0U;
@@ -90,11 +90,11 @@ SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U;
 // objects).
 SHARED_CONSTANT uint ink_layer_has_variants = 1U << 1U;
 
-// Formats of chains and of the lists that are converted to chains or made from them.
+// Data formats of contour chains, and of the lists before and after them in the pipeline.
 
-// Spacing of the points of the page lattice (the grid in which lines are found on the page).
+// Spacing in pixels of the points of the page lattice (the grid in which lines are found on the page).
 SHARED_CONSTANT uint cell_px = 2U;
-// Size of a cell of the sample grid, which finds samples by their position on the page.
+// Size in pixels of a cell of the sample grid, which finds samples by their position on the page.
 SHARED_CONSTANT uint grid_cell_px = 4U;
 // Lengths are stored as whole numbers of 1/1024 pixel, so that sums are exact.
 SHARED_CONSTANT float length_unit_px = 1024.0F;
@@ -116,7 +116,8 @@ SHARED_CONSTANT uint chain_is_closed = 1U;
 SHARED_CONSTANT uint part_is_there = 1U;
 // The edge's first side belongs to the triangle that faces the eye.
 SHARED_CONSTANT uint part_first_is_front = 2U;
-// Two bits: what ends the outline at the edge's low end, one of the bound_ values.
+// Position of two bits that tell how the outline ends at the edge's low end; their value is one of
+// bound_is_corner, bound_in_first and so on.
 SHARED_CONSTANT uint part_low_shift = 2U;
 SHARED_CONSTANT uint part_high_shift = 4U;
 SHARED_CONSTANT uint bound_is_corner = 0U; // the outline reaches the end of the edge
@@ -132,12 +133,13 @@ SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
 
 // Value for a closed chain without a place to cut it open: it has neither a hidden part nor a corner.
 SHARED_CONSTANT uint no_rotation = 0xffffffffU;
-// Bit set if a closed chain is cut open at a corner. Values without this bit, at a hidden part, are
-// preferred.
+// This bit is set if a closed chain is cut open at a corner. A chain is cut at a corner only if it has no
+// hidden part at which it could be cut.
 SHARED_CONSTANT uint rotation_to_corner = 0x40000000U;
 
 // A point of a feature line (a line fixed to the surface). `kind` and `side` describe the edge to the next
-// point. If the corner number in `side` is 3, the line crosses the whole triangle to the next point.
+// point. If the corner number in `side` is 3, the line does not follow an edge but crosses a triangle to the
+// next point.
 struct FeaturePoint {
     uint vertex;
     uint other_vertex; // the point lies at `share` of the way from `vertex` to this vertex
@@ -218,8 +220,8 @@ struct Stroke {
     uint first; // index of the first sample; `last` is the index of the last sample
     uint last;
     uint ends; // bits stroke_starts_at_line, stroke_ends_at_line and stroke_is_dropped
-    // Of the samples that the previous frame drew too, the one nearest to the stroke's middle; no_sample if
-    // there is none.
+    // Index of the sample nearest to the stroke's middle that was drawn in the previous frame as well;
+    // no_sample if there is none.
     uint recalled;
     int offset_sum; // sum over samples of (position along the brush - arc length), in 1/16 pixel
     uint offset_count;
@@ -232,7 +234,7 @@ struct DrawnSample {
     float half_width_px;
     float arc_px; // position along the brush, in pixels; the position follows the surface from frame to frame
     uint seed;
-    float whole_px; // length of the stroke in pixels; a stretched brush has this length too
+    float whole_px; // length in pixels of the stroke, and of a brush that stretches over it
 };
 
 SHARED_CONSTANT uint no_stroke_seed = 0xffffffffU;
@@ -259,7 +261,8 @@ struct LinePoint {
     uint ink; // number of the ink; see the comment of ink_of_variant
 };
 
-// Bits of LineTouch::uses: the kind of line that selects the brush, and flags for the ends of the stroke.
+// Bits of LineTouch::uses. The four lower bits hold the kind of line, which selects the brush. Two flags mark
+// the ends of the stroke.
 SHARED_CONSTANT uint touch_use = 15U;
 SHARED_CONSTANT uint touch_is_start = 16U;
 SHARED_CONSTANT uint touch_is_end = 32U;
@@ -271,8 +274,8 @@ struct LineTouch {
     float along_px; // distance of the sample from the start of the stroke, in pixels
     float whole_px;
     uint way; // direction of the line on the page, as two signed half floats
-    // Use of a brush (a kind of line) in the bits touch_use; touch_is_start and touch_is_end mark the ends of
-    // the stroke.
+    // The bits touch_use hold the kind of line, which selects the brush. The bits touch_is_start and
+    // touch_is_end mark the ends of the stroke.
     uint uses;
 };
 
@@ -290,7 +293,7 @@ struct ListSize {
 SHARED_CONSTANT uint scan_parts = 256U;
 
 struct ScanConstants {
-    uint fixed_count; // number of values that is known before the frame
+    uint fixed_count; // number of values, as far as the CPU knows it
     uint count_of;    // index of a list whose length is added to `fixed_count`, or no_list
     uint total_to;    // index of the list whose length becomes the total
     uint capacity;
@@ -324,7 +327,7 @@ struct CellConstants {
     uint first_word; // index of the first word of mark bits (1: a line runs through) for this kind of line
     uint word_count; // total number of words of mark bits (1: a line runs through)
     uint kind;
-    float point_px; // position of a point of the page lattice within its pixel, for x and for y
+    float point_px; // position of a lattice point within its pixel, equal for x and y
 };
 
 // Curvature of a surface at a vertex, as in contour::Bending, in units of the object's size. The tangent of
@@ -360,7 +363,7 @@ struct ShapeConstants {
     float distance_thinning;
     uint seed;
     float wave_px;  // wavelength of the hand's wobble, in pixels
-    float settling; // share of the brush's offset from its evenly spaced position that is removed per frame
+    float settling; // share of the brush's displacement that is corrected per frame
     float turn_px;  // radius of a bend at which the pen's pressure is greatest, in pixels
     uint hand;      // number of times that the lines have already been drawn
     float retrace_px;
@@ -370,7 +373,7 @@ struct ShapeConstants {
 };
 
 struct PartConstants {
-    vec2 from_px; // position of the part's corner on the page, in pixels of the part
+    vec2 from_px; // corner of the drawn part of the page, in pixels of the part
     float scale;  // pixels of the part per pixel of the page on which the lines were linked
     uint has_touches;
 };
@@ -385,11 +388,11 @@ struct VariantLines {
 
 SHARED_CONSTANT uint variant_lines_words = 4U * line_kind_count + 1U;
 
-// Number of the ink of a LinePoint, in 16 bits. 0 is the ink of the style, i + 1 the outline ink of material
-// i. If the bit ink_of_variant is set, the ink belongs to a kind of line in a style variant (the style of
-// certain materials or objects): bits from ink_kind_shift on hold line_kind_count - 1 - kind, lower bits the
-// number of the variant. Where lines of equal coverage overlap, the higher ink number is drawn, so outlines
-// lie over creases.
+// A LinePoint stores its ink as a 16-bit number. Number 0 is the ink of the style; number i + 1 is the
+// outline ink of material i. If the bit ink_of_variant is set, the ink belongs to a kind of line in a style
+// variant (the style of certain materials or objects). The bits from ink_kind_shift on then hold
+// line_kind_count - 1 - kind, and the lower bits hold the number of the variant. Where lines of equal
+// coverage overlap, the higher ink number is drawn, so outlines lie over creases.
 SHARED_CONSTANT uint ink_of_variant = 0x8000U;
 SHARED_CONSTANT uint ink_kind_shift = 11U;
 SHARED_CONSTANT uint most_ink_variants = 1U << ink_kind_shift;
@@ -431,8 +434,8 @@ static_assert(sizeof(BrushConstants) <= 128);
 } // namespace estampe::shared
 #else
 
-// Whether a line was found on the page, so that it is certainly visible. `source` is the member of a Segment,
-// ChainPoint or LineSample.
+// Whether a line was found between the pixels of the page and not on the mesh; such a line is certainly
+// visible. `source` is the member of a Segment, ChainPoint or LineSample.
 bool is_of_page(uint source)
 {
     return source >> 28 >= line_first_of_page;

@@ -25,7 +25,7 @@ namespace estampe::contour {
 
 /// GPU buffers of the line mesh: the triangles from which contours are extracted, with their neighbours.
 struct LineMesh {
-    gpu::Buffer triangles; ///< the list EdgeMesh::triangles
+    gpu::Buffer triangles; ///< three vertices per triangle, see EdgeMesh::triangles
     gpu::Buffer neighbors;
     /// The two sides of each loose edge (an edge that may be outline but has no feature line).
     gpu::Buffer loose_edges;
@@ -173,9 +173,10 @@ struct ChainStrokes {
 
 constexpr size_t most_hands = 3; ///< how many times lines can be drawn, see the style's `contour.strokes`
 
-/// The pen's path and width along all strokes, drawn once.
+/// Path and width of the pen along all strokes, for one of the times that the simulated hand draws them.
 struct HandDrawn {
-    /// Two LinePoints per sample: for the start of the piece after it and the end of the piece before it.
+    /// Two LinePoints per sample: one for the start of the piece of line after the sample, one for the end of
+    /// the piece before the sample.
     gpu::BufferId line_points;
     gpu::BufferId touches; ///< two LineTouches per sample; unused if all lines are drawn with the pen
 };
@@ -183,7 +184,8 @@ struct HandDrawn {
 struct ShapedStrokes {
     ChainStrokes strokes;
     gpu::BufferId facing; ///< one bit per triangle, set if the triangle faces the eye
-    /// The pen's path, once for each time that the lines are drawn.
+    /// The pen's path for each time that the simulated hand draws the lines: once, or several times over each
+    /// other.
     InlineVector<HandDrawn, most_hands> hands;
     /// Strokes of hidden lines; empty if the style draws none.
     std::optional<std::pair<ChainStrokes, HandDrawn>> hidden;
@@ -226,10 +228,10 @@ struct ChainInputs {
                                        const ContourStyle& style);
 
 /// Finds outlines (one segment per triangle or edge), suggestive contours if the line mesh has curvature, and
-/// lines on the page. Links all these and the feature lines (creases and other lines fixed to the surface)
-/// into chains.
+/// lines between the pixels of the page. Links these lines and the feature lines (creases and other lines
+/// fixed to the surface) into chains.
 ///
-/// Cost    one or two threads per triangle; the rest grows with the number of lines
+/// Cost    one or two threads per triangle, and further threads in proportion to the number of lines
 /// Source  segments: Hertzmann and Zorin, "Illustrating Smooth Surfaces", 2000; ranking: Wyllie, "The
 /// Complexity of Parallel Computations", 1979
 [[nodiscard]] Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges);

@@ -45,7 +45,7 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
 const float slack = 0.5;        // tolerance in pixels, because surfaces may curve between two pixels
-const float least_angle = 0.09; // smallest angle between two intersecting planes that have a line, in radians
+const float least_angle = 0.09; // smallest angle in radians between intersecting planes that get a line
 
 uint shell_of(uint triangle)
 {

@@ -73,7 +73,7 @@ uint segment_or_none(uint item, uint segment_count)
 }
 
 // The number of the loose edge (an edge without a crease or other fixed line) to which a triangle's side
-// belongs, or a value for none.
+// belongs, or no_side if the side belongs to none.
 uint loose_edge_at(uint triangle, uint corner)
 {
     return texelFetch(loose_edge_of_side_texels, int(3u * triangle + corner)).x;
@@ -154,8 +154,8 @@ Segment through_triangle(uint triangle, uint segment_count)
     Corner b = corner_at(corners.y);
     Corner c = corner_at(corners.z);
     bvec3 fronts = bvec3(a.facing >= 0.0, b.facing >= 0.0, c.facing >= 0.0);
-    // One corner faces the other way than the two other corners. The outline crosses the two sides at this
-    // lone corner.
+    // Two corners of the triangle face the eye and one does not, or the other way round. The outline crosses
+    // the two sides that meet at this lone corner.
     uint lone = fronts.y == fronts.z ? 0u : fronts.x == fronts.z ? 1u : 2u;
     Corner apart = lone == 0u ? a : lone == 1u ? b : c;
     Corner after = lone == 0u ? b : lone == 1u ? c : a;

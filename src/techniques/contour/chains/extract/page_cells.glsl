@@ -8,7 +8,8 @@
 // Requires before inclusion: `constants`, a CellConstants.
 
 // Where a line crosses a side of the lattice: the position along the side, which may be slightly beyond its
-// ends, and whether the tested quantity rises there, to the right or downwards.
+// ends, and whether the tested quantity (for example the visible share of the sun) increases there along the
+// side.
 struct Crossing {
     bool is_there;
     bool rises;

@@ -30,8 +30,8 @@ Crossing crossing_at(CellSide side)
     return unpack_crossing(side.is_down ? words.y : words.x);
 }
 
-// The sides of a cell at which a line enters and leaves. The line enters where the tested quantity rises, in
-// clockwise order.
+// The sides of a cell at which a line enters and leaves. The line enters at the side on which the tested
+// quantity increases in the clockwise direction.
 struct CellLine {
     bool is_there;
     uint from;

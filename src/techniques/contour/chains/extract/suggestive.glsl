@@ -40,14 +40,16 @@ BendCrossing bend_crossing(uint i, uint j)
     precise float share = clamp(a.x / (a.x - b.x), 0.0, 1.0);
     precise float strength = a.y + share * (b.y - a.y);
     if (is_of_ground(low)) {
-        // Positive across a dune's crest, negative at the foot of its slip face (steep lee side).
+        // The change of slope is positive across a dune's crest and negative at the foot of its slip face
+        // (steep lee side).
         precise float turn = b.x - a.x;
         strength = (b.y < a.y ? -turn : turn) - constants.least_turn;
     }
     return BendCrossing(low, high, share, strength);
 }
 
-// The two corners of a triangle at whose following sides the curvature changes its sign.
+// The two sides of a triangle on which the curvature changes its sign. Each side is stored as the corner at
+// which it starts.
 struct BendSides {
     uint down; // corner before the side on which curvature changes from positive to negative
     uint up;

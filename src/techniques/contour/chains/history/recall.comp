@@ -64,8 +64,8 @@ void main()
                            : sample_at(index).page_px - sample_at(index - 1u).page_px;
         way *= inversesqrt(max(dot(way, way), 1e-20));
         uint stroke = strokes_before(goes_on ? index + 1u : index) - 1u;
-        // A dropped stroke fades out from its own state in the previous frame; a drawn stroke continues the
-        // drawn state.
+        // A stroke that is dropped in this frame may continue a stroke that was fading out in the previous
+        // frame. A drawn stroke continues only drawn strokes.
         bool is_dropped = (strokes[stroke].ends & stroke_is_dropped) != 0u;
         float arc = arc_from_start(index, strokes[stroke]);
         float whole = whole_length(index, strokes[stroke]);

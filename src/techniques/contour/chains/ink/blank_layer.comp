@@ -8,7 +8,7 @@
 
 layout(local_size_x = 8, local_size_y = 32) in;
 
-// Square root of the ink's linear colour; alpha is coverage.
+// The ink layer: square root of the ink's linear colour in rgb, coverage in alpha.
 layout(binding = 0, rgba8) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants

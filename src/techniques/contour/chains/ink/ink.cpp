@@ -181,8 +181,8 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
     return inked;
 }
 
-/// Clears the ink layer, on a CPU with a fill command and on a GPU with a dispatch: each is the faster way
-/// there.
+/// Clears the ink layer: with a fill command on a CPU, with a dispatch on a GPU. Each is the faster way on
+/// its device.
 gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants,
                              const gpu::ExecutionProfile& execution)
 {

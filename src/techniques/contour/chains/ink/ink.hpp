@@ -23,8 +23,8 @@ struct BrushStrip {
 /// The brush that each kind of line uses.
 struct BrushSet {
     std::vector<BrushStrip> strips;
-    /// Index into `strips` for each kind of line, and for hidden lines (shared::brush_hidden). Without an
-    /// index, the pen draws the kind.
+    /// Index into `strips` for each kind of line, and for hidden lines (shared::brush_hidden). A kind without
+    /// an index is drawn with the pen, as a plain line.
     std::array<std::optional<uint32_t>, shared::brush_use_count> strip_of_use;
 };
 

@@ -47,7 +47,8 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/contour/chains/ink/inked_pieces.glsl"
 
 const float most_taps = 4.0;
-// Smallest and largest scale of a repeated brush along a piece, relative to its even scale.
+// Smallest and largest factor by which a repeated brush may be stretched along a piece of line; 1 is
+// unstretched.
 const vec2 repeated_pace = vec2(0.5, 1.5);
 const vec2 stretched_pace = vec2(0.0, 8.0);
 

@@ -22,7 +22,7 @@ layout(scalar, binding = 0) readonly buffer Inked
 #define INK_TILES_ACCESS readonly
 #include "techniques/contour/chains/ink/ink_tiles.glsl"
 
-// Square root of the ink's linear colour; alpha is coverage.
+// The ink layer: square root of the ink's linear colour in rgb, coverage in alpha.
 layout(binding = 3, rgba8) uniform image2D ink_image;
 
 #define VARIANT_LINES_BINDING 4

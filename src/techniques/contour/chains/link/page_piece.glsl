@@ -21,8 +21,9 @@ vec2 page_position(vec4 clip)
     return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px);
 }
 
-// Clips `kept` to the part in which a value that changes linearly from `a` to `b` is not negative. The code
-// has no branches, because CPU drivers take longer to compile them.
+// Clips the range `kept` to the part in which a value is not negative. The value changes linearly from `a` at
+// the start of the piece to `b` at its end. The code has no branches, because CPU drivers take longer to
+// compile them.
 void keep_positive(float a, float b, inout vec2 kept)
 {
     float share = a / (a - b);

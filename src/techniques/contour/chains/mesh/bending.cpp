@@ -35,8 +35,8 @@ struct Face {
     float area = 0.0F;
 };
 
-/// The rotation between two tangent planes after the shortest rotation of one normal to the other: the x axis
-/// of the first frame, in the second frame. Returns nothing if the two planes are back to back.
+/// Rotates one tangent frame by the shortest rotation that takes its normal to the normal of another frame.
+/// Returns the rotated x axis in coordinates of the other frame, or nothing if the two normals are opposite.
 std::optional<glm::vec2> turn_between(const Frame& from, const Frame& to)
 {
     const float cosine = glm::dot(from.normal, to.normal);

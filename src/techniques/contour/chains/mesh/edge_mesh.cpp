@@ -221,8 +221,7 @@ public:
     }
 
 private:
-    /// A side of a triangle. Each side is stored in the list of the one of its two points that has the lower
-    /// number.
+    /// A side of a triangle. The side is stored in the list of its end point with the lower number.
     struct Side {
         uint32_t to = 0; ///< the point with the higher number
         uint32_t side = 0;

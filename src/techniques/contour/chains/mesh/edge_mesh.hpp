@@ -46,7 +46,8 @@ struct TriangleSoup {
 
 enum class FeatureKind : uint8_t { border, boundary, crease };
 
-/// Mark of an edge in the model file. `plain` means that the file marks edges of this mesh, but not this one.
+/// Mark of an edge in the model file. `unsaid`: the file marks no edges of the mesh. `plain`: the file marks
+/// other edges of the mesh, but not this one.
 enum class EdgeMark : uint8_t { unsaid, plain, marked };
 
 /// An edge that may have a line from every point of view, such as a border or a fold.

@@ -202,7 +202,8 @@ FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> p
 namespace {
 
 constexpr uint32_t nowhere = ~0U;
-// All points of a line need this share of the sharpness that its sharpest point needs.
+// Sharpness that every point of a line must have, as a share of the sharpness that its sharpest point must
+// have.
 constexpr float least_share = 2.0F / 3.0F;
 constexpr float shortest_share = 1.0F / 30.0F;
 // Smallest ratio of the two principal curvatures at a ridge, so that near-spheres have no lines.
@@ -211,7 +212,8 @@ constexpr float sharpness_reach = 0.01F; // a ridge's turn is measured over this
 
 /// Curvature at a vertex as seen by one kind of line: a ridge or a valley.
 struct Bend {
-    /// Degrees of turn over a hundredth of the object's size; 0 means that no such line can be here.
+    /// Turn of the surface in degrees over a hundredth of the object's size; 0 where no line of this kind can
+    /// run.
     float sharpness_deg = 0.0F;
     float growth = 0.0F; ///< change of the greatest curvature along `way`
     glm::vec3 way{0.0F}; ///< direction of the greatest curvature, across the line
@@ -270,7 +272,8 @@ private:
                 const glm::vec3 across = glm::cross(bending.normal, bending.tangent);
                 const float growth = change_along(sign * bending.change, curvatures.direction);
                 bends_[v] = {glm::degrees(curvatures.greatest * sharpness_reach * surface_.sizes[v]),
-                             // The sign of zero is undefined, so growth must not be zero.
+                             // The sign of zero is undefined, so a growth of zero is replaced by the smallest
+                             // positive number.
                              growth != 0.0F ? growth : std::numeric_limits<float>::min(),
                              curvatures.direction.x * bending.tangent + curvatures.direction.y * across};
             }

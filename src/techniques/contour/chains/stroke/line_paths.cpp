@@ -12,7 +12,8 @@
 namespace estampe::contour {
 namespace {
 
-// The same constant as in split.comp: a longer piece leaves the page and returns.
+// Largest length of a piece of line, in steps between samples. A longer piece leaves the page and returns, so
+// it is not drawn. The constant is equal in split.comp.
 constexpr float most_stretch = 3.0F;
 
 bool has(const shared::LineSample& sample, uint32_t bit)
@@ -161,7 +162,8 @@ std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
 
 namespace {
 
-// Largest distance between ends at one place; the same constant as in joints.comp.
+// Ends of lines that are no further apart than this, in pixels, count as one place. The constant is equal in
+// joints.comp.
 constexpr float one_place_px = 1.5F;
 constexpr float cell_px = 4.0F;
 

@@ -45,8 +45,8 @@ struct LineLists {
 using LineWidths = std::array<float, shared::line_kind_count>;
 
 /// Returns every stroke as a path, in the order of the samples. With `hidden_widths_px`, also returns the
-/// hidden lines on the page; those of a chain follow its visible strokes. Cost: linear in the number of
-/// samples.
+/// hidden lines on the page; a chain's hidden lines come after its visible strokes. Cost: linear in the
+/// number of samples.
 [[nodiscard]] std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
                                                const std::optional<LineWidths>& hidden_widths_px);
 

@@ -4,9 +4,9 @@
 
 #include "shaders/loops.glsl"
 
-// The sample grid: it divides the page into cells of a few pixels. Each cell stores only the first and the
-// last of its samples, so at most two lines are found per cell. Requires before inclusion: GRID_BINDING,
-// GRID_ACCESS.
+// The sample grid: it divides the page into cells of a few pixels. Each cell stores only the samples with the
+// lowest and the highest index, so at most two lines are found per cell. Requires before inclusion:
+// GRID_BINDING, GRID_ACCESS.
 
 layout(scalar, binding = GRID_BINDING) GRID_ACCESS buffer Grid
 {

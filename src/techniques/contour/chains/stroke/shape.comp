@@ -52,7 +52,8 @@ layout(binding = 8) uniform sampler2D light_image;
 
 layout(scalar, binding = 11) writeonly buffer LinePoints
 {
-    // Two per sample: the start of the piece after it, and the end of the piece before it.
+    // Two LinePoints per sample: one for the start of the piece of line after the sample, one for the end of
+    // the piece before the sample.
     LinePoint line_points[];
 };
 
@@ -144,8 +145,8 @@ float width_at(uint index)
         in_metres = !is_hidden && is_in_metres(style_variant, kind);
     }
     if (has_widths_m && in_metres) {
-        // The pressure will thin this width by distance, but perspective has already made it smaller.
-        // Dividing by the thinning cancels that factor.
+        // Perspective already makes a width in metres smaller at a distance. The division cancels the
+        // thinning by distance that is applied later.
         width /= pixel_size_m(frame, point.anchor) * thinning_at(point.anchor);
     }
     return width;
@@ -232,13 +233,14 @@ const float most_past = 0.12;
 const int phase_reach = 6; // number of samples on either side over which offsets are averaged
 // Offsets that differ by less than this are averaged, because they belong to the same brush.
 const float one_phase_px = 3.0;
-// A brush returns to its even scale only if its offset is less than this share of the stroke.
+// A brush that is stretched unevenly becomes even again only if its displacement is less than this share of
+// the stroke.
 const float most_stretch = 0.2;
 const float most_settling_px = 0.15;
 // Range of the random position at which each stroke starts on a repeating brush.
 const float most_start_px = 2048.0;
 const float most_slide = 0.02; // largest slide of a stretched brush per frame, as a share of the brush
-// Smallest scale of a stretched brush near either end, relative to the even scale.
+// Smallest scale of a stretched brush near the ends of a stroke; 1 is the scale of an evenly stretched brush.
 const float least_pace = 0.2;
 
 bool has_past(uint index)
@@ -246,9 +248,9 @@ bool has_past(uint index)
     return recalls[index].half_width_px >= 0.0;
 }
 
-// The offset of a sample: its position on the brush in the previous frame minus its current arc length. The
-// offset comes from the nearest sample that existed in the previous frame, preferably in the same stroke, and
-// is averaged with similar neighbours.
+// Returns a sample's position on the brush in the previous frame minus its current arc length. This offset
+// comes from the nearest sample that existed in the previous frame, preferably in the same stroke, and is
+// averaged with similar neighbours.
 float recalled_offset(uint index, Stroke stroke, uint seed, float otherwise)
 {
     int nearest = 4 * phase_reach;
@@ -273,15 +275,15 @@ float recalled_offset(uint index, Stroke stroke, uint seed, float otherwise)
     return count > 0.0 ? sum / count : offset;
 }
 
-// Mean over all samples of a stroke of position on the brush minus arc length.
+// Returns the mean, over all samples of a stroke, of the position on the brush minus the arc length.
 float offset_of(Stroke stroke)
 {
     return float(stroke.offset_sum) / (16.0 * float(max(stroke.offset_count, 1u)));
 }
 
-// Position on a repeating brush, in pixels. It slowly moves to where the whole stroke has the brush's even
-// scale. It does not move if the two positions differ so much that they belong to different repeats or
-// strokes.
+// Position of a sample on a repeating brush, in pixels. From frame to frame, the position slowly moves
+// towards the one at which the brush is evenly spaced along the whole stroke. It stays as it is if the two
+// positions are far apart, because they then belong to different repeats or strokes.
 float repeated_phase(uint index, Stroke stroke, uint seed)
 {
     float arc = arc_from_start(index, stroke);
@@ -297,10 +299,10 @@ float repeated_phase(uint index, Stroke stroke, uint seed)
     return arc + offset + (settles ? step : 0.0);
 }
 
-// Position on a brush that stretches over the whole stroke. If the stroke was different in the previous
-// frame, the brush slides to its new position over several frames. Its ends stay near the ends of the stroke,
-// which may grow faster than the brush slides. On a ring, the brush starts where it started in the previous
-// frame.
+// Position of a sample on a brush that stretches over the whole stroke. If the stroke was different in the
+// previous frame, the brush slides to its new position over several frames. The brush's ends stay near the
+// stroke's ends, even if the stroke grows fast. On a ring (closed stroke), the brush starts where it started
+// in the previous frame.
 float stretched_phase(uint index, Stroke stroke, uint seed)
 {
     float arc = arc_from_start(index, stroke);
@@ -359,7 +361,8 @@ float stray_at(vec3 anchor, float wave_px, uint seed)
     float fine = value_noise(anchor * exp2(-low), seed);
     float coarse = value_noise(anchor * exp2(-low - 1.0), seed + 1u);
     float part = octave - low;
-    // The mean of two noises varies less than one noise. This factor restores the range.
+    // The weighted mean of two noises varies less than a single noise. The factor with the inverse square
+    // root restores the range.
     return 2.0 * (mix(fine, coarse, part) - 0.5) * inversesqrt(1.0 - 2.0 * part + 2.0 * part * part);
 }
 
@@ -372,7 +375,8 @@ float sway_at(vec3 anchor, uint seed)
 // Random differences between strokes, and between the drawings of one stroke that is drawn several times.
 
 const float again_width = 0.85;
-// Wavelength of the choice whether a line is retraced, in wavelengths of the wobble.
+// A noise decides where a line is drawn again. This is the noise's wavelength, as a multiple of the wobble's
+// wavelength.
 const float again_wave = 7.0;
 
 uint hand_seed(uint what)

@@ -30,7 +30,8 @@ uint middle_of(Stroke stroke)
     return (stroke.first + stroke.last) / 2u;
 }
 
-// Distance of a sample from the middle of its stroke, in samples, combined with a bit for the side.
+// Distance of a sample from the middle of its stroke, in samples, combined with a bit that is different
+// before and after the middle.
 uint from_middle(uint index, Stroke stroke)
 {
     uint middle = middle_of(stroke);

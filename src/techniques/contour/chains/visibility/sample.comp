@@ -53,7 +53,7 @@ layout(push_constant, scalar) uniform Constants
 const float outside_px = 0.75;
 const float tolerance_px = 0.05;
 
-// Finds the piece of a chain at the arc length `length`: the last point, except for the chain's end, whose
+// Finds the piece of a chain at the arc length `length`. Returns the last point before the chain's end whose
 // arc length is at most `length`.
 uint piece_at(uint first, uint end, uint length)
 {
@@ -99,7 +99,8 @@ Cover cover_of(uint triangle, vec3 point, float tolerance_m)
 }
 
 // Whether a point is visible. Among the triangles seen around the point, one that covers the point decides.
-// If none covers it, because all triangles are smaller than a pixel, the majority decides.
+// If none covers it, because all triangles are smaller than a pixel, the triangles seen at three of four
+// pixels must hide it.
 bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
 {
     float pixel_m = pixel_size_m(frame, anchor);
@@ -118,7 +119,7 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
         Cover cover = cover_of(may_hide ? seen_triangle(word) : own, outside, tolerance_px * pixel_m);
         is_covered = is_covered || (may_hide && cover.is_over && cover.hides);
         is_free = is_free || (may_hide && cover.is_over && !cover.hides);
-        // The point is hidden if most of the four pixels around it hide it.
+        // The point is hidden if at least three of the four pixels around it hide it.
         hiding += may_hide && cover.hides ? 1 : -3;
         pixel = next_cell(pixel, around);
     } while (pixel.y <= around.high.y);
