@@ -4,8 +4,8 @@
 
 #include "shaders/camera.glsl"
 
-// The vector from a place on a plane to the place on that plane that is seen `aside_px` pixels away on the
-// page.
+// Returns the vector from `place` to the point of the same plane that appears `aside_px` pixels away from it
+// on the page.
 vec3 step_on_plane(FrameGlobals frame, vec2 position_px, float depth, vec3 place, vec3 normal, vec2 aside_px)
 {
     vec3 there = anchor_at(frame, position_px + aside_px, depth);

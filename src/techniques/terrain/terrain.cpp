@@ -105,8 +105,8 @@ void Terrain::paint_mask(std::string_view mask, const std::vector<float>& height
     program_ = std::move(painted);
 }
 
-// The automatic camera for a terrain without objects. It chooses a view in which light and shade divide the
-// page as a draughtsman would choose.
+// The automatic camera for a terrain without objects. It chooses a view in which light and shaded areas are
+// balanced.
 
 namespace {
 
@@ -147,7 +147,7 @@ public:
         return glm::normalize(glm::dvec3(-rise({spacing_m, 0.0}), 2.0 * spacing_m, -rise({0.0, spacing_m})));
     }
 
-    /// Distance from a point to the ground along a unit vector, at most `reach_m`.
+    /// Distance from a point to the ground in the direction of a unit vector. Returns at most `reach_m`.
     [[nodiscard]] double way_to_ground_m(const glm::dvec3& from, const glm::dvec3& towards,
                                          double reach_m) const
     {
@@ -173,7 +173,8 @@ private:
     std::vector<double> heights_m_;
 };
 
-/// Eye positions at a rider's height above the highest places. Any two positions have a minimum distance.
+/// Returns eye positions at a rider's height above the highest places of the ground. The positions keep a
+/// minimum distance from each other.
 std::vector<glm::dvec3> lookouts(const Relief& relief)
 {
     constexpr size_t most = 8;
@@ -248,7 +249,8 @@ double merit(const Relief& relief, const Camera& camera, const glm::dvec3& towar
 Camera terrain_camera(const Terrain& terrain, double time_s, const glm::dvec3& towards_sun)
 {
     constexpr int headings = 24;
-    // Tangent of the camera's pitch; it puts the horizon a third below the top.
+    // Tangent of the camera's pitch. With this value, the horizon lies a third of the page's height below the
+    // top edge.
     constexpr double pitch = -0.16;
     constexpr double farthest_m = 100.0;
     const Relief relief(terrain, time_s);

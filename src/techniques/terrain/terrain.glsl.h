@@ -11,19 +11,19 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// The vertices of a terrain. A vertex is a column and row in the grid of a level; the position of the level
-// gives its place.
+// The vertices of a terrain. A terrain vertex is stored as a column and a row in the grid of one level of
+// detail. The level's position converts these to a place on the ground.
 
-// A vertex is one word: column in bits 0-12, row in 13-25, part in 26-27, level in 28-31. The part "trim"
-// fills the gap between a level and the finer level inside it; its columns and rows count from its own
-// corner.
+// A vertex is one 32-bit word: column in bits 0-12, row in bits 13-25, part in bits 26-27, level in bits
+// 28-31. The part "trim" fills the gap between a level and the finer level inside it; its columns and rows
+// count from its own corner.
 SHARED_CONSTANT uint terrain_part_grid = 0U;
 SHARED_CONSTANT uint terrain_part_trim_column = 1U;
 SHARED_CONSTANT uint terrain_part_trim_row = 2U;
 SHARED_CONSTANT uint terrain_index_bits = 13U;
 
-// Variant bits of terrain_vertices.comp. has_places: vertices are in no grid and have stored positions.
-// keeps_before: the shader also writes the positions of the previous frame.
+// Variant bits of terrain_vertices.comp. The bit terrain_has_places: vertices are in no grid and have stored
+// positions. The bit terrain_keeps_before: the shader also writes the positions of the previous frame.
 SHARED_CONSTANT uint terrain_has_places = 1U;
 SHARED_CONSTANT uint terrain_keeps_before = 2U;
 
@@ -61,8 +61,8 @@ struct TerrainField {
 
 SHARED_CONSTANT uint terrain_fields_most = 5U;
 
-// Fields of heights of one size, stacked vertically in one image. The z coordinate of a dispatch is the index
-// of the field.
+// Several height fields of equal size, stacked vertically in one image. The z coordinate of a dispatch is the
+// index of the field.
 struct TerrainFieldConstants {
     TerrainField fields[5];
     uvec2 size; // size of one field in texels
@@ -107,13 +107,14 @@ SHARED_CONSTANT uint height_dunes = 25U;
 SHARED_CONSTANT uint height_no_register = 0xffffffffU;
 SHARED_CONSTANT uint height_register_count = 32U;
 
-// Format of a program in words: places, then parameters, then four words per instruction.
+// Format in which a height program is stored as 32-bit words: places first, then parameters, then four words
+// per instruction.
 SHARED_CONSTANT uint height_words_most = 16000U; // limited so that all words fit in 64 KiB of uniforms
 SHARED_CONSTANT uint height_words_a_place = 16U;
 SHARED_CONSTANT uint height_place_words = 16U;
 
-// An instruction: its operation, target register, input registers and first parameter. `warp` holds the
-// numbers of two registers, or height_no_register if the place is not warped.
+// An instruction of a height graph: its operation, target register, input registers and first parameter.
+// `warp` holds the numbers of two registers, or height_no_register if the place is not warped.
 struct HeightInstruction {
     uint op;
     uint target;
@@ -126,25 +127,26 @@ struct HeightInstruction {
 
 // Sand that the wind moves in slabs (small units of constant volume).
 
-// How the wind sees a cell of the sand.
+// State of a cell of the sand for the wind: open sand, open rock, or in the lee.
 SHARED_CONSTANT uint slab_open_sand = 0U;
 SHARED_CONSTANT uint slab_open_rock = 1U; // the cell has no sand left
 SHARED_CONSTANT uint slab_in_lee = 2U;
 
-SHARED_CONSTANT uint slab_most_hops = 32U; // a slab stays where its last possible hop ends
+SHARED_CONSTANT uint slab_most_hops = 32U; // a slab comes to rest after at most this many hops
 
 // A line of cells along the wind is divided into this many pieces. One thread processes one piece.
 SHARED_CONSTANT uint slab_pieces = 16U;
 
-// Constants of one step of the sand. The movement of sand uses only whole numbers, so that the results are
-// equal on every device.
+// Constants of one simulation step of the sand. The movement of sand uses only whole numbers, so that the
+// results are equal on every device.
 struct SlabConstants {
     uint side; // number of cells per side, a power of two
     uint step; // number of steps since the start of the simulation
     uint seed;
-    uint along_y; // 1: the lines of cells along the wind step along y; 0: along x
-    int sign;     // sign of that step: 1 or -1
-    // Cells across per step along a line, times 65536; over the whole side, a whole number of cells.
+    uint along_y; // 1: lines of cells along the wind advance by one cell in y per step; 0: in x
+    int sign;     // direction of a step along a line: 1 or -1
+    // Sideways shift of a line of cells per step along it, in cells times 65536. The shift over the whole
+    // side is a whole number of cells.
     int slope;
     int phase; // offset for rounding lines to cells, in cells times 65536
     // Fall of the lee's roof (an imaginary surface that descends downwind from each crest) per step along a
@@ -153,8 +155,8 @@ struct SlabConstants {
     int hop_x; // length of a hop along x, in 1/256 cell
     int hop_y;
     int mean;     // height of sand, in slabs, at which hops have the length `hop_x`, `hop_y`
-    int gain;     // relative growth of a hop's length per slab of height, times 65536
-    uint lift;    // the wind tries to lift a slab at this many of 65536 cells per step
+    int gain;     // relative growth of a hop's length per slab of height above `mean`, times 65536
+    uint lift;    // per step, the wind tries to lift a slab from this many of 65536 cells
     uint on_sand; // of 65536 slabs that land on sand, this many stay
     uint on_rock;
 };
@@ -172,10 +174,10 @@ struct SlabHeightConstants {
     uint side;
     uint radius; // number of cells in each direction over which heights are smoothed
     float slab_m;
-    float fraction; // interpolation between the state before the last step (0) and after it (1)
+    float fraction; // interpolates heights from before the last step (0) to after it (1)
 };
 
-// Ripples on sand.
+// Ripples of sand, drawn by changing the shading normals.
 
 // Size of a cell of the ripples' lattice in wavelengths, along and across the wind. The size along the wind
 // is a whole number, so that waves continue from cell to cell.
@@ -184,15 +186,15 @@ SHARED_CONSTANT float ripple_cell_across = 7.0F;
 
 struct RippleConstants {
     vec2 wind;  // unit vector of the wind's direction, as (x, z)
-    vec2 rest;  // position of the anchor within its lattice cell, along and across the wind
+    vec2 rest;  // position of the anchor in its lattice cell, along and across the wind
     uvec2 cell; // lattice cell that contains the anchor, as the bits of an ivec2
     float wavelength_m;
     float height_m; // height of a ripple from trough to crest
     float meander;
-    uint draw; // number of the draw that has ripples: the terrain
+    uint draw; // number of the draw (mesh primitive) that has ripples: the terrain
 };
 
-// Trails in sand.
+// Trails (footprints and drag marks) in sand.
 
 // A square window of texels that moves over the ground. Texel number n of the ground is stored at index n
 // modulo the side, so moving the window copies no texel.
@@ -204,8 +206,8 @@ struct TrailWindow {
 
 struct TrailPress {
     TrailWindow window;
-    // Column of the base texel (a texel near the pressed shape), counted from the window's first texel; all
-    // places count from the base texel.
+    // Column of the base texel (a texel near the pressed shape), counted from the window's first texel. All
+    // other positions of the shape are relative to the base texel.
     int base_x;
     int base_y;
     int low_x; // first column that the pressed shape touches, counted from the base texel
@@ -220,8 +222,8 @@ struct TrailPress {
     float rim_m; // width of the rim of sand around the stamp (the pressed shape)
     float texel_m;
     float steepness; // slope of the edge of the pressed area
-    // Columns by which the window moved; a shape that was pressed earlier changes only texels that are new in
-    // the window.
+    // Columns by which the window moved. A stamp that was pressed earlier is repeated only in texels that are
+    // new in the window.
     int moved_x;
     int moved_y;
     // 1: the stamp (a pressed shape) was pressed earlier and is repeated on new texels, which are level
@@ -242,7 +244,7 @@ struct TrailFill {
     int moved_x; // columns by which the window has moved since the texels were written
     int moved_y;
     uint steps; // number of time steps that pass
-    float kept; // factor on a trail's height per time step
+    float kept; // factor by which a trail's height shrinks per time step
 };
 
 struct TrailImageConstants {
@@ -253,7 +255,7 @@ struct TrailImageConstants {
 struct TrailRelief {
     vec2 corner_m; // position of the image's corner, relative to the anchor
     float texel_m;
-    uint draw;        // number of the terrain's draw
+    uint draw;        // number of the terrain's draw (mesh primitive)
     vec3 towards_sun; // unit vector; zero if there is no sun
 };
 

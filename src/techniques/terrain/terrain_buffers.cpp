@@ -115,7 +115,8 @@ std::string value_of(const Instruction& i)
     }
 }
 
-/// The SPIR-V words of a compiled shader, and the shader that points to them. Must not move in memory.
+/// The SPIR-V words of a compiled shader, and the shader object that points to these words. A Compiled must
+/// therefore not move in memory.
 struct Compiled {
     std::string name;
     std::vector<uint32_t> words;
@@ -181,8 +182,8 @@ const gpu::Shader& compiled_with(const Program& program, const std::string& shad
     return known.try_emplace(std::move(text), std::move(made)).first->second->shader;
 }
 
-/// Number of sand steps that the graph of a picture may simulate. More steps need add_catching_up() before
-/// the picture.
+/// Number of sand steps that the graph of a picture may simulate. If more steps are needed, add_catching_up()
+/// simulates them before the picture.
 constexpr uint32_t steps_a_frame = 4;
 
 template <class T>
@@ -251,7 +252,8 @@ void TerrainBuffers::set_graph(gpu::Device& device, const Terrain& terrain)
     set_source(source_);
 }
 
-/// Creates the simulated sand of the graph. Keeps the existing sand if the graph still asks for the same.
+/// Creates the simulated sand that the height graph asks for. Keeps the existing sand if the settings are
+/// unchanged.
 void TerrainBuffers::take_sand(gpu::Device& device)
 {
     const auto& textures = terrain_.program().textures;
@@ -307,8 +309,8 @@ gpu::BufferId TerrainBuffers::add_texels(gpu::Graph& graph)
 void TerrainBuffers::set_source(HeightSource source)
 {
     source_ = source;
-    // Does not wait for a compilation that is still running. finish_compiling() checks for which terrain that
-    // compilation was.
+    // A running compilation is not waited for. finish_compiling() later checks to which terrain its result
+    // belongs.
     if (source == HeightSource::compiled_meanwhile && !compiled_ && !compiling_.valid()) {
         begin_compiling();
     }
@@ -363,7 +365,7 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
         const double steps = sand_source_->start_steps + sand_source_->steps_per_s * std::max(time_s, 0.0);
         is_sand_stale_ = is_sand_stale_ || steps != sand_moment_;
         sand_moment_ = steps;
-        // The moment lies in the past, but the simulation cannot run backwards.
+        // If the moment lies in the past, the simulation starts again, because it cannot run backwards.
         if (steps + 1.0 < static_cast<double>(sand_->steps())) {
             sand_ = std::make_unique<SlabField>(device, sand_style_, sand_->side());
         }
@@ -443,7 +445,8 @@ gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const HeightFields& 
         .sample(texels, gpu::Format::r32f);
     const gpu::ImageId height = pass.write(graph.image(
         "terrain/heights", {.width = size.x, .height = count * size.y, .format = gpu::Format::r32f}));
-    // Estimated time per vertex: the octaves of noise run one after another, even for few vertices.
+    // Estimated time in microseconds for the longest chain of noise octaves. Octaves run one after another,
+    // so even a few vertices take this long.
     constexpr uint32_t point_us = 45;
     pass.push(constants).estimated_duration_us(point_us).dispatch_over_page(size.x, size.y, count);
     return height;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A terrain on the device. It poses the vertices of the terrain's mesh around the eye.
+// A terrain on the GPU: computes the positions of the vertices of the terrain's mesh around the eye.
 
 #include <future>
 #include <memory>
@@ -20,9 +20,9 @@ namespace estampe::terrain {
 
 /// How the GPU evaluates the height graph.
 enum class HeightSource : uint8_t {
-    /// By a shader compiled for this graph; falls back to `interpreted` if there is no compiler.
+    /// A shader compiled for this graph evaluates it; falls back to `interpreted` if there is no compiler.
     compiled,
-    interpreted,       ///< by a general shader that interprets the graph: slower, but available immediately
+    interpreted,       ///< a general shader interprets the graph: slower, but ready immediately
     compiled_meanwhile ///< interprets the graph until a background thread has compiled its shader
 };
 
@@ -38,11 +38,11 @@ struct TerrainMoment {
     EyePlace eye;
     glm::dvec3 anchor_m{0.0}; ///< origin of positions on the device; x and z are whole multiples of 64
     double time_s = 0.0;
-    /// Time since the previous frame; none: positions of the previous frame are not needed.
+    /// Time since the previous frame in seconds; empty if positions of the previous frame are not needed.
     std::optional<double> before_s;
 };
 
-/// Where the vertices of the terrain are stored in the buffer of all meshes: from `first_vertex` on.
+/// Position of the terrain's vertices in the buffer of all meshes: they start at `first_vertex`.
 struct TerrainTarget {
     uint32_t first_vertex = 0;
     double stroke_unit_m = 1.0;
@@ -71,24 +71,26 @@ public:
 
     [[nodiscard]] const Terrain& terrain() const { return terrain_; }
 
-    /// Updates the mesh's levels and the coordinates of the height graph to a moment. Returns whether any
-    /// vertex may have changed since the last call.
+    /// Updates the mesh's levels of detail and the coordinates of the height graph for the time and eye
+    /// position of a frame. Returns whether any vertex may have changed since the last call.
     bool prepare(gpu::Device& device, const TerrainMoment& moment);
 
-    /// Simulates sand up to the moment and writes its heights. Returns the buffer of texels (textures, masks
-    /// and sand) that add_vertices() and add_heights() read. Call once per graph.
+    /// Simulates the sand up to the moment that was passed to prepare(), and writes the sand's heights.
+    /// Returns the buffer of texels (textures, masks and sand) that add_vertices() and add_heights() read.
+    /// Call once per graph.
     [[nodiscard]] gpu::BufferId add_texels(gpu::Graph& graph);
 
-    /// Returns whether the sand is more steps behind its moment than one graph can simulate. If so, first run
-    /// graphs that contain only add_catching_up().
+    /// Returns whether more sand steps are missing than one frame graph can simulate. If so, first run graphs
+    /// that contain only add_catching_up().
     [[nodiscard]] bool is_behind() const;
     void add_catching_up(gpu::Graph& graph);
 
-    /// Poses the terrain's vertices and writes them into the meshes' buffers `posed_vertices`, `before` and
-    /// `stroke_coordinates`.
+    /// Computes the terrain's vertices and writes them into the meshes' buffers `posed_vertices`, `before`
+    /// and `stroke_coordinates`.
     ///
     /// Writes  posed vertices of this frame and of the previous frame, stroke coordinates
-    /// Cost    one dispatch, one thread per vertex; up to three evaluations of the graph near a ring's edge
+    /// Cost    one dispatch, one thread per vertex; up to three evaluations of the height graph per vertex
+    ///         near a ring's edge
     /// Source  Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, for the rings
     struct Posed {
         gpu::BufferId vertices;
@@ -99,8 +101,8 @@ public:
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
     /// Computes the ground's heights above the anchor on several fields: r32f, `size` texels per field,
-    /// stacked vertically. Leaves out forms that are too fine for a field. Texels outside `wanted` get a very
-    /// low height.
+    /// stacked vertically. Leaves out details that are too fine for a field. Texels outside `wanted` get a
+    /// very low height.
     ///
     /// Cost    one dispatch, one thread per texel
     [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,
@@ -113,7 +115,7 @@ public:
     /// compiled, vertices are posed again.
     [[nodiscard]] bool is_compiling();
 
-    /// A number that increases whenever the shape of the ground changes, also when it changes over time.
+    /// A number that increases whenever the shape of the ground changes, including changes by animation.
     [[nodiscard]] uint64_t form() const { return form_; }
 
 private:

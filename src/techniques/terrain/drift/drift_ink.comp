@@ -14,7 +14,7 @@ layout(scalar, binding = 0) readonly buffer Ink
     uint ink_at[];
 };
 
-// Ink layer with the lines: square root of linear colour; alpha is coverage.
+// Ink layer with the lines: square root of linear colour in rgb, coverage in alpha.
 layout(binding = 1, rgba8) uniform image2D line_image;
 
 layout(push_constant, scalar) uniform Constants

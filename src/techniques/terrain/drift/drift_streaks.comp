@@ -33,7 +33,8 @@ layout(push_constant, scalar) uniform Constants
 
 const int search = 6; // number of samples in each direction along the wind, in the search for a crest
 const float search_m = 1.5;
-// Change of slope across a crest: from a swell that loses no sand to a sharp brink that loses most.
+// Change of slope across a crest. At the first value, a gentle swell loses no sand; at the second, a sharp
+// brink loses most sand.
 const vec2 crest = vec2(0.3, 0.65);
 const float sinking_m_s2 = 0.5; // speed at which grains sink in moving air
 const float longest_px = 160.0;
@@ -138,7 +139,8 @@ void main()
     if (tail.z < 0.0 || head.z < 0.0 || strength <= 0.0 || max(span.x, span.y) > longest_px) {
         return;
     }
-    // Steps along the longer axis of the stroke, and draws the pixels beside each step within the margin.
+    // Steps pixel by pixel along the axis in which the stroke is longer. At each step, draws the pixels
+    // across the stroke.
     bool is_steep = span.y > span.x;
     vec2 first = (is_steep ? along.y : along.x) > 0.0 ? tail.xy : head.xy;
     float longer = is_steep ? along.y : along.x;

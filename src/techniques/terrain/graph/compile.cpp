@@ -218,7 +218,8 @@ private:
         }
     }
 
-    /// Rotates a coordinate frame and, if it has one, its warp.
+    /// Rotates a coordinate frame and its warp, if the frame has a warp (a displacement by two values of the
+    /// program).
     Frame turned(const Frame& frame, double angle_rad)
     {
         Frame result = frame.turned(angle_rad);
@@ -251,8 +252,8 @@ private:
         return result;
     }
 
-    /// Translates a coordinate frame. Numbers and speeds are exact at any distance from the origin. Other
-    /// expressions become a warp.
+    /// Translates a coordinate frame. Translations by a number or a speed are exact at any distance from the
+    /// origin. Other expressions become a warp (a displacement computed by the program).
     Frame translated(const Arguments& arguments, const Frame& frame)
     {
         const auto x = in_time(arguments.value("x"));
@@ -517,7 +518,8 @@ private:
                 .count = 0};
     }
 
-    /// Returns the index of `numbers` in the program's parameters. Equal lists are stored only once.
+    /// Returns the index at which `numbers` are stored in the program's parameters. Equal lists are stored
+    /// only once.
     uint32_t parameters(const std::vector<double>& numbers)
     {
         const auto [found, is_new] =

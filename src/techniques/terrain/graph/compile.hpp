@@ -2,7 +2,7 @@
 #pragma once
 
 // Compiles the nodes of a terrain to a program. Coordinate frames are merged into the places at which the
-// program evaluates noise and other leaves.
+// program evaluates noise and other functions of the coordinates.
 
 #include <algorithm>
 #include <array>
@@ -28,8 +28,8 @@ namespace estampe::terrain {
     return {exact(std::cos(angle_rad)), exact(std::sin(angle_rad))};
 }
 
-/// The coordinates in which a part of a height graph is evaluated, in metres. They are linear in x, z and
-/// time; a warp may add two values of the program.
+/// The coordinates in metres in which a part of a height graph is evaluated. The coordinates are linear
+/// functions of x, z and time. A warp may add two values of the program to them.
 struct Frame {
     Linear u{.x = 1.0};
     Linear v{.z = 1.0};

@@ -53,8 +53,8 @@ Real4 dual_curve(Real4 a, uint first, uint count)
                       (m0 + t * (Real(2) * c2 + t * Real(3) * c3)) / width);
 }
 
-// Factor on the amplitude of a form that repeats every `period_m` metres, on a grid of `spacing_m`. The
-// factor fades out forms that are too fine for the grid.
+// Factor on the amplitude of a feature that repeats every `period_m` metres, for a grid with `spacing_m`
+// between vertices. The factor fades out features that are too fine for the grid.
 Real share_shown(Real period_m, Real spacing_m)
 {
     if (period_m >= Real(4) * spacing_m) {
@@ -83,7 +83,8 @@ Place place_at(uint place, Real x, Real z)
     return p;
 }
 
-// The coordinates of a leaf (such as noise), moved by (u, v) in metres of the leaf's coordinate frame.
+// The coordinates of a leaf (such as noise), displaced by (u, v). The displacement is in metres of the leaf's
+// coordinate frame.
 Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
 {
     Place p = place_at(place, x, z);
@@ -291,8 +292,8 @@ Real4 texel_slopes(Real t, bool is_cubic)
                  t * (Real(4) - Real(4.5) * t) + Real(0.5), t * (Real(1.5) * t - Real(1)));
 }
 
-// Height from a texture. Its parameters in the program are first texel, columns, rows, wrap mode, whether
-// cubic, mean height. One unit of the coordinates is the whole texture.
+// Height from a texture. The parameters in the program are: first texel, columns, rows, wrap mode, a flag for
+// cubic interpolation, and mean height. One unit of the coordinates is the whole texture.
 Real4 leaf_texture(Place p, uint first, Real spacing_m)
 {
     uint first_texel = uint(height_number(first));
@@ -301,7 +302,8 @@ Real4 leaf_texture(Place p, uint first, Real spacing_m)
     int wrap = int(height_number(first + 3u));
     bool is_cubic = height_number(first + 4u) > Real(0.5);
     Real mean = height_number(first + 5u);
-    // The number of whole textures before this place only matters if the texture is mirrored or clamped.
+    // A repeating texture ignores the number of whole textures before this place. That number matters only if
+    // the texture is mirrored or clamped.
     int turn_u = wrap == 0 ? 0 : (wrap == 1 ? p.cell_u & 1 : clamp(p.cell_u, -2, 2));
     int turn_v = wrap == 0 ? 0 : (wrap == 1 ? p.cell_v & 1 : clamp(p.cell_v, -2, 2));
     Real u = p.u.x * Real(columns) - Real(0.5);
@@ -347,8 +349,8 @@ Real4 row_noise(int cell, Real t, int row, uint seed)
     return Real4(a + (b - a) * weight, (b - a) * slope, (b - a) * bend, Real(0));
 }
 
-// In front of a dune, the modelled surface falls below the ground, as if the dune had at least this share of
-// the usual height.
+// In front of a dune, the modelled surface falls below the ground. Its slope there is that of a dune with at
+// least this share of the usual height.
 const Real least_dune = Real(0.25);
 const Real before_rise = Real(0.29);
 
@@ -370,8 +372,8 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     Real4 shift = row_noise(p.cell_v, p.v.x, ridge, seed) * meander;
     Real4 brink = dual_chain(p.v, Real(row) + shift.x, shift.y);
     Real4 behind_m = (p.u - brink) * wavelength_m;
-    // Where the brink meanders, the nearest point of the brink is closer than the brink's distance along the
-    // wind.
+    // Where the brink (sharp upper edge) meanders, its nearest point is closer than the point straight along
+    // the wind.
     Real tilt = shift.y * wavelength_m / crest_m;
     Real stretch = sqrt(Real(1) + tilt * tilt);
     Real highest_m = height_m * (Real(1) + Real(0.6) * variation);
@@ -397,13 +399,13 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     if (climb.x >= Real(1)) {
         rise = dual(Real(1));
     }
-    // A mesh shows a sharp brink as a row of teeth. So the brink is rounded by the spacing of the mesh's
-    // grid.
+    // A mesh would show a sharp brink (upper edge of a dune) as a row of teeth. So the brink is rounded by
+    // the spacing of the mesh's grid.
     return -dual_smooth_max(-dual_mul(crest, rise), -lee, Real(1.5) * repose * spacing_m + Real(1e-9));
 }
 
-// Dunes. The parameters in the program are: seed, height, wavelength, slope of the slip face (steep lee
-// side), length of the rise, meander in wavelengths, variation of height, length of a bend of the crest,
+// Height of dunes. The parameters in the program are: seed, height, wavelength, slope of the slip face (steep
+// lee side), length of the rise, meander in wavelengths, variation of height, length of a bend of the crest,
 // width of the rounded foot. One unit of u is a wavelength downwind, one unit of v is a bend of the crest.
 Real4 leaf_dunes(Place p, uint first, Real spacing_m)
 {

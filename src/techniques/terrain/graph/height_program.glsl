@@ -3,7 +3,7 @@
 #define ESTAMPE_HEIGHT_PROGRAM
 
 // Defines height_at(place, spacing): the height of a program at a place relative to the anchor, as a dual
-// number. It leaves out forms that are too fine for a grid of that spacing. The function interprets any
+// number. It leaves out details that are too fine for a grid of that spacing. The function interprets any
 // program, unless the text of one compiled program replaces HEIGHT_PROGRAM. The including shader must declare
 // `words`, `texels` and `terrain`.
 

@@ -57,7 +57,7 @@ enum class NodeForm : uint8_t {
     mask,
     sand,
     dunes,
-    translate, ///< moves the coordinates of the nodes inside it; all later forms change these coordinates too
+    translate, ///< moves the coordinates of the nodes inside it, as do all later kinds of this list
     rotate,
     scale,
     polar,

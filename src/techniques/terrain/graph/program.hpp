@@ -66,7 +66,7 @@ struct Program {
     std::vector<HeightTexture> textures;
     std::vector<float> texels;
 
-    /// Returns whether two programs differ only in numbers. Programs of the same form share compiled shaders.
+    /// Returns whether two programs differ at most in numbers. Such programs share compiled shaders.
     [[nodiscard]] bool has_form_of(const Program& other) const;
 };
 
@@ -122,12 +122,12 @@ struct TextureInProgram {
                                           const std::filesystem::path& folder);
 
 /// Evaluates a program on the CPU: returns (height, d/dx, d/dz, d/dt) at `local_m`, relative to the origin of
-/// `places`. Leaves out forms that are too fine for a grid of `spacing_m`; 0 leaves out none. Cost: about 0.1
-/// microseconds per instruction.
+/// `places`. Leaves out details that are too fine for a grid of `spacing_m`; a spacing of 0 keeps all
+/// details. Cost: about 0.1 microseconds per instruction.
 [[nodiscard]] glm::dvec4 evaluate(const Program& program, std::span<const PlaceWords> places,
                                   const glm::dvec2& local_m, double spacing_m = 0.0);
 
-/// Does the same as evaluate(), in the single precision of the GPU.
+/// Evaluates a program on the CPU like evaluate(), but in single precision, as on the GPU.
 [[nodiscard]] glm::vec4 evaluate_single(const Program& program, std::span<const PlaceWords> places,
                                         const glm::vec2& local_m, float spacing_m = 0.0F);
 

@@ -192,8 +192,8 @@ public:
 
     void triangle(glm::uvec2 a, glm::uvec2 b, glm::uvec2 c)
     {
-        // These coordinates have x to the right and z down, seen from above. So the sign of a
-        // counter-clockwise cross product is negative.
+        // Seen from above, x points to the right and z points down. So a counter-clockwise triangle has a
+        // negative cross product.
         const auto cross = [](glm::ivec2 p, glm::ivec2 q) { return p.x * q.y - p.y * q.x; };
         if (cross(glm::ivec2(b) - glm::ivec2(a), glm::ivec2(c) - glm::ivec2(a)) > 0) {
             std::swap(b, c);

@@ -14,8 +14,9 @@
 
 namespace estampe::terrain {
 
-/// The vertices and triangles of a terrain's mesh. A vertex is a column and row; the placement of its level
-/// converts it to a point of the plane. Triangles are counter-clockwise as seen from above.
+/// The vertices and triangles of a terrain's mesh. A vertex is stored as a column and row of one level of
+/// detail. The position of the level converts them to a point of the plane. Triangles are counter-clockwise
+/// as seen from above.
 struct MeshTopology {
     /// World positions of the vertices if they are in no grid; otherwise empty.
     std::vector<glm::dvec3> places;
@@ -36,8 +37,8 @@ public:
     /// Computes the vertices and triangles. Cost: linear in the number of vertices.
     [[nodiscard]] virtual MeshTopology topology() const = 0;
 
-    /// Computes the position of each level around an eye, relative to an anchor. The anchor's coordinates
-    /// must be whole multiples of 64 m.
+    /// Computes the position of each level of detail around an eye, relative to an anchor point. The anchor's
+    /// coordinates must be whole multiples of 64 m.
     [[nodiscard]] virtual std::vector<shared::TerrainLevel> place(const EyePlace& eye,
                                                                   const glm::dvec2& anchor_m) const = 0;
 };

@@ -72,8 +72,9 @@ uvec2 index_of(uint vertex, TerrainLevel level)
     return part == terrain_part_grid ? index : index + level.hole_first + trim;
 }
 
-// Height of a vertex, blended into the height of the next outer level near the border. In the outer level,
-// the vertex may lie in the middle of an edge. So the one or two ends of that edge are evaluated too.
+// Height of a vertex. Near the border of a level, the height blends into that of the next outer, coarser
+// level. There, the vertex may lie in the middle of a coarser edge, so the heights at both ends of that edge
+// are evaluated.
 vec4 height_of(uvec2 index, TerrainLevel level)
 {
     vec2 from_eye = abs(vec2(index) - level.eye_cells);
@@ -95,8 +96,8 @@ vec4 height_of(uvec2 index, TerrainLevel level)
     return sum;
 }
 
-// If the ground is a planet, bends a place onto a sphere. The top of the sphere is below the eye, at height
-// 0.
+// If the ground has a planet's curvature, moves a place onto a sphere. The sphere's top lies straight below
+// the eye, at height 0.
 vec3 bent(vec2 place, float height)
 {
     vec2 away = place - terrain.eye_m;

@@ -27,13 +27,14 @@ layout(push_constant, scalar) uniform Constants
     RippleConstants constants;
 };
 
-// Waves per pixel: ripples begin to fade at the first number and are gone at the second.
+// Number of ripples per pixel: ripples begin to fade at the first value and are gone at the second.
 const vec2 resolved = vec2(0.15, 0.36);
-// Slopes of the ground: ripples begin to fade at the first and are gone at the second, as steep sand slides.
+// Slope of the ground: ripples begin to fade at the first value and are gone at the second, because steep
+// sand slides.
 const vec2 sliding = vec2(0.35, 0.55);
 
-// Upper limit of the number of waves that a step on the ground crosses. The waves are not exactly across the
-// wind, so the limit is larger than the number along the wind.
+// Upper limit of the number of ripples in a step on the ground. Ripples are not exactly perpendicular to the
+// wind, so the limit is larger than the number of ripples along the wind.
 float waves_over(vec3 step_m)
 {
     vec2 across = vec2(-constants.wind.y, constants.wind.x);
@@ -66,7 +67,7 @@ void main()
     float height = constants.height_m / constants.wavelength_m;
     height *= 1.0 - smoothstep(resolved.x, resolved.y, waves);
     height *= 1.0 - smoothstep(sliding.x, sliding.y, steepness);
-    // The second condition means that the ground is seen from below.
+    // No ripples are drawn where the smooth normal points downwards: the ground is seen from below there.
     if (height <= 0.0 || smooth_normal.y <= 0.0) {
         return;
     }

@@ -8,7 +8,7 @@
 
 const float ripple_turn = 6.2831853f;
 
-// Asymmetry of a ripple: its lee face is (1 + skew) times as steep as that of a sine wave.
+// Asymmetry of a ripple. The ripple's lee face is (1 + ripple_skew) times as steep as a sine wave.
 const float ripple_skew = 0.55f;
 
 // A wave of unit height along the wind, one wavelength long. Each corner of a lattice has its own phase and
@@ -55,17 +55,18 @@ RippleWave ripple_wave(ivec2 cell, vec2 at, float meander)
     return sum;
 }
 
-// Slope of rippled sand along and across the wind, for ripples as high as their wavelength. `cells` is the
-// size of a lattice cell in wavelengths; along the wind it is a whole number.
+// Slope of rippled sand along and across the wind, for ripples whose height equals their wavelength. `cells`
+// is the size of a lattice cell in wavelengths; along the wind it is a whole number.
 vec2 ripple_lean(ivec2 cell, vec2 at, float meander, vec2 cells)
 {
     RippleWave wave = ripple_wave(cell, at, meander);
     float strength = dot(wave.z, wave.z);
-    // Reduces the slope where waves end, so that the sand is flat there.
+    // Division by the wave's strength: where ripples end, the strength is small, and the added constant makes
+    // the sand flat.
     float calm = 1.0f / (strength + 0.06f);
     vec2 drift = vec2(wave.z.x * wave.z_along.y - wave.z.y * wave.z_along.x,
                       wave.z.x * wave.z_across.y - wave.z.y * wave.z_across.x);
-    // Change of phase along and across the wind, in turns per wavelength.
+    // Change of the wave's phase along and across the wind, in turns per wavelength.
     vec2 phase_slope = vec2(strength, 0.0f) + drift / (ripple_turn * cells);
     float carrier = cells.x * (at.x - floor(at.x));
     float t = ripple_turn * (carrier - floor(carrier)) + atan(wave.z.y, wave.z.x);

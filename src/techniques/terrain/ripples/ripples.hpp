@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ripples on sand. They give tone near the eye, and vanish where they are finer than pixels.
+// Ripples on sand: small waves in the shading normals near the eye. They fade out where they are finer than
+// pixels.
 
 #include <optional>
 
@@ -13,7 +14,8 @@
 namespace estampe::terrain {
 
 /// Computes the constants of the ripples relative to an anchor, so that coordinates stay small. `time_s` is
-/// the time in seconds, `draw` the number of the terrain's draw. Returns none if the terrain has no ripples.
+/// the time in seconds, `draw` the number of the terrain's draw (mesh primitive). Returns none if the terrain
+/// has no ripples.
 [[nodiscard]] std::optional<shared::RippleConstants>
 ripples_at(const TerrainDescription& terrain, uint32_t draw, const glm::dvec3& anchor_m, double time_s);
 
@@ -25,7 +27,7 @@ struct RippleInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Bends the terrain's shading normals by ripples.
+/// Tilts the terrain's shading normals by the slope of ripples.
 ///
 /// Writes  a new version of `normal`; the normals change at pixels of the terrain that are smaller on the
 ///         ground than 0.36 wavelengths

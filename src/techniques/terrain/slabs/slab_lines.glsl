@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_SLAB_LINES
 #define ESTAMPE_SLAB_LINES
 
-// Lines of cells along the wind, on a field that repeats at its edges. With n cells per side, all lines
-// together visit each cell once in n steps; then each line continues as another line. Cells in the lee lie
-// below a roof, an imaginary surface that descends downwind from every crest. The including shader must
-// declare `slab`, a SlabConstants, and last_slabs.
+// Lines of cells along the wind, on a field that repeats at its edges. With n cells per side, n lines of n
+// steps visit each cell once. After n steps, each line continues as another line. Cells in the lee lie below
+// a roof, an imaginary surface that descends downwind from every crest. The including shader must declare
+// `slab`, a SlabConstants, and last_slabs.
 
 const int no_roof = -0x40000000;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread handles one piece of a line of cells along the wind, and marks its cells in the lee. The roof
-// (an imaginary surface that descends downwind from each crest) over the lee depends on all pieces upwind, as
-// many as a line has. The thread also copies the heights to the buffer in which slabs move.
+// (an imaginary surface that descends downwind from each crest) over the lee depends on all upwind pieces of
+// the line. The thread also copies the heights to the buffer in which slabs move.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

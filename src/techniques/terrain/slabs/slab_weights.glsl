@@ -10,8 +10,8 @@ float weight_of_outermost()
     return 1.0 / float(1u << (2u * height.radius));
 }
 
-// The weight of cell `i` + 1, computed from the weight of cell `i`. Cells are counted from the outermost
-// cell.
+// The weight of cell `i` + 1, computed from the weight of cell `i`. Cells are counted from the outermost cell
+// of the smoothing range.
 float weight_after(float weight, int i)
 {
     return weight * float(2 * int(height.radius) - i) / float(i + 1);

@@ -51,8 +51,8 @@ double wind_rad(const SlabStyle& style, uint64_t step)
 
 shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint64_t step)
 {
-    // Limit for the fall of the lee's roof (an imaginary surface that descends from each crest) per cell, so
-    // that the sum over twice the side fits in 32 bits.
+    // Largest fall per cell of the lee's roof (an imaginary surface that descends from each crest). With this
+    // limit, the fall over twice the field's side fits in 32 bits.
     constexpr int steepest_drop = 1 << 19;
     constexpr int greatest_gain = 1 << 16;
     const double wind = wind_rad(style, step);
@@ -84,7 +84,8 @@ shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint
 
 shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, int slide)
 {
-    // Blocks of cells have four offsets. The second offset is diagonal to the first.
+    // Sand slides within blocks of 2 x 2 cells, which take four offsets in turn. The second offset is
+    // diagonal to the first.
     const auto phase = static_cast<uint32_t>(slide) & 3U;
     return {.side = side,
             .first_x = phase & 1U,
@@ -95,7 +96,8 @@ shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, in
 
 namespace {
 
-/// Largest number of passes per graph for simulation steps; other passes need the remaining passes.
+/// Largest number of passes per frame graph for simulation steps. The graph's remaining passes are reserved
+/// for other work.
 constexpr uint32_t most_passes = 240;
 constexpr double most_slabs = 1 << 20; ///< largest number of slabs on a cell at the start
 

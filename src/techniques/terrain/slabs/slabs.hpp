@@ -51,9 +51,9 @@ public:
     SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side, std::span<const float> heights_m);
 
     /// Simulates `count` steps, and returns heights in metres: r32f, `side` x `side` texels, one per cell,
-    /// for Sampling::linear_repeat. `fraction` interpolates between the state before the last step (0) and
-    /// after it (1), so that motion between steps is smooth. With a `count` of 0, it interpolates the last
-    /// step of earlier calls.
+    /// for Sampling::linear_repeat. `fraction` interpolates between the heights before the last step (0) and
+    /// after it (1), so that motion is smooth. With a `count` of 0, it interpolates the last step of earlier
+    /// calls.
     ///
     /// The graph must be run. Graphs must run in the order in which they were passed to the field, and the
     /// field must outlive the runs. Call once per graph.

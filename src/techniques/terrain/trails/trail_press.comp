@@ -35,7 +35,7 @@ float distance_m(ivec2 texel)
     return distance(place, press.from + share * along) - mix(press.from_radius_m, press.to_radius_m, share);
 }
 
-// Height profile of the pressed area: flat, with a sloping edge.
+// Height profile of the pressed area at a distance from its edge: flat inside, with a sloping edge.
 float sole_m(float distance)
 {
     return -min(press.depth_m, press.steepness * max(-distance, 0.0));

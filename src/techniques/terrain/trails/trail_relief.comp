@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread bends the shading normal at one pixel of sand by the trails there: by the change of the trails'
-// height over the area of the pixel on the ground. Where a trail shades itself, the normal turns away from
-// the sun.
+// One thread tilts the shading normal at one pixel of sand by the slope of the trails (footprints and drag
+// marks) within that pixel. Where a trail shades itself, the normal turns away from the sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -45,8 +44,8 @@ float rise(vec2 place_m, vec2 along_m, float length_m)
            max(length_m, relief.texel_m);
 }
 
-// Share of the sunlight that reaches a place past the sand around it. The heights are sampled texel by texel
-// towards the sun.
+// Share of the sunlight that reaches a place and is not blocked by the sand around it. The heights are
+// sampled texel by texel towards the sun.
 float sun_left(vec2 place_m, vec3 normal)
 {
     float up = dot(relief.towards_sun, normal);
@@ -57,7 +56,7 @@ float sun_left(vec2 place_m, vec3 normal)
     }
     float here = trail_height_m(place_m);
     float rising = up / level_m;
-    float highest = 0.0; // largest height above the ray to the sun, relative to the distance
+    float highest = 0.0; // largest height above the ray to the sun, divided by the distance
     for (int i = 1; i <= shadow_steps; ++i) {
         float way = float(i) * relief.texel_m;
         highest = max(highest, (trail_height_m(place_m + way / level_m * level) - here) / way - rising);
@@ -93,7 +92,7 @@ void main()
     if (max(right_m, down_m) > longest_m || abs(turned) < 1e-3 || smooth_normal.y <= 0.0) {
         return;
     }
-    // The slope in x and z that agrees with the slopes measured along both steps.
+    // The slope in x and z is solved from the slopes measured along two steps on the ground.
     float along_right = rise(place.xz, right, right_m);
     float along_down = rise(place.xz, down, down_m);
     vec2 slope =

@@ -28,7 +28,7 @@ constexpr uint32_t most_steps = 30 * 3600;
 constexpr uint32_t steps_a_dispatch = 16384;
 /// Number of steps during which sand slumps after a stamp (a pressed shape).
 constexpr int slumps = 8;
-constexpr float least_m = 0.001F;   ///< a stamp (a pressed shape) that has become shallower is forgotten
+constexpr float least_m = 0.001F;   ///< stamps (pressed shapes) shallower than this are forgotten
 constexpr double farthest_m = 1e12; ///< largest distance from the origin at which texels can still be counted
 
 std::vector<float> even_ground(uint32_t side, double extent_m)
@@ -68,8 +68,8 @@ bool is_usable(const TrailStamp& stamp)
 }
 
 /// Converts a stamp (a pressed shape) to texels of a window. A stamp longer than the window is cut a little
-/// outside the window. Places are relative to a texel of the ground near the stamp, so that they do not
-/// depend on the window. Returns none if the stamp touches no texel.
+/// outside the window. Positions are relative to a texel of the ground near the stamp, so that positions do
+/// not depend on the window. Returns none if the stamp touches no texel.
 std::optional<shared::TrailPress> press_of(const TrailStamp& stamp, uint32_t side, double texel_m,
                                            glm::i64vec2 first)
 {
@@ -176,7 +176,8 @@ void TrailField::go_to(const TerrainTrails& style, glm::dvec2 centre_m)
     if (is_placed_ && first == first_) {
         return;
     }
-    // If some known stamps still wait to be repeated, all known stamps are collected again.
+    // If some remembered stamps (pressed shapes) are not repeated yet, all remembered stamps are collected
+    // again.
     const bool is_whole = !std::exchange(is_placed_, true) || !arriving_.empty();
     const glm::i64vec2 far(side_);
     const glm::i64vec2 moved = is_whole ? far : glm::clamp(first - first_ + moved_, -far, far);
@@ -201,7 +202,8 @@ void TrailField::go_to(const TerrainTrails& style, glm::dvec2 centre_m)
     }
 }
 
-/// Sets the new texels of the window to level ground, and repeats the known stamps in them.
+/// Sets the new texels of the window to level ground, and repeats the remembered stamps (pressed shapes) in
+/// these texels.
 gpu::BufferId TrailField::add_arriving(gpu::Graph& graph, const TerrainTrails& style, size_t most,
                                        gpu::BufferId heights)
 {
@@ -231,7 +233,8 @@ gpu::BufferId TrailField::add_slump(gpu::Graph& graph, const TerrainTrails& styl
 {
     const double beside_m = texel_m_ * std::tan(glm::radians(static_cast<double>(style.repose_deg)));
     for (uint32_t phase = 0; phase < 4; ++phase) {
-        // Blocks of 2 x 2 texels have four offsets. The second offset is diagonal to the first.
+        // Sand slides within blocks of 2 x 2 texels, which take four offsets in turn. The second offset is
+        // diagonal to the first.
         const glm::uvec2 begin(phase & 1U, (phase ^ (phase >> 1U)) & 1U);
         auto pass = graph.compute("trails/slump", shaders::trail_slump_comp);
         heights = pass.modify(heights);
@@ -302,7 +305,7 @@ namespace {
 
 constexpr double ticks_a_second = 120.0;
 constexpr uint32_t window_texels = 1024;
-constexpr double longest_step_s = 2.0; ///< a longer step between two moments counts as a jump in time
+constexpr double longest_step_s = 2.0; ///< a longer step between two frames counts as a jump in time
 
 int64_t ticks_at(double time_s)
 {
@@ -383,8 +386,8 @@ void Footprints::make_afresh(gpu::Device& device, double time_s)
     }
 }
 
-/// Presses the tracks' stamps up to a time into the sand. After a jump in time, repeats the stamps at their
-/// age.
+/// Presses the tracks' stamps (shapes) up to a time into the sand. After a jump in time, presses each stamp
+/// in the state that it has at its age.
 void Footprints::walk_on(double time_s)
 {
     const bool is_jump = time_s - moment_.time_s > longest_step_s;

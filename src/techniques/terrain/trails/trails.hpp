@@ -44,8 +44,9 @@ struct TrailImage {
 };
 
 /// A square window of texels that follows a point in steps of whole texels. Texels that stay inside the
-/// window keep their values bit for bit. In texels that enter the window, known stamps are repeated at their
-/// age. Time passes in steps of 1/30 s, so the results do not depend on how time is divided into frames.
+/// window keep their values bit for bit. In texels that enter the window, remembered stamps (pressed shapes)
+/// are repeated at their age. Time passes in steps of 1/30 s, so the results do not depend on how time is
+/// divided into frames.
 class TrailField {
 public:
     /// `side` is the number of texels per side: a power of two, 16 to 1024; other values throw
@@ -60,15 +61,15 @@ public:
     /// texels that enter the window from now on.
     void remember(const TrailStamp& stamp, double age_s);
 
-    /// Lets time jump by `ticks`. The next add_step() rebuilds all texels from the remembered stamps at their
-    /// new age.
+    /// Lets the field's time jump by `ticks`. The next add_step() rebuilds all texels from the remembered
+    /// stamps (pressed shapes) at their new age.
     void pass(uint32_t ticks);
 
     /// Centres the window on a place. Does nothing if the place is not finite.
     void go_to(const TerrainTrails& style, glm::dvec2 centre_m);
 
-    /// Returns whether more remembered stamps enter the window than one step can press. If so, first run
-    /// graphs that contain only add_catching_up().
+    /// Returns whether more remembered stamps (pressed shapes) enter the window than one step can press. If
+    /// so, first run graphs that contain only add_catching_up().
     [[nodiscard]] bool is_behind() const { return arriving_.size() > most_presses(); }
 
     void add_catching_up(gpu::Graph& graph, const TerrainTrails& style);
@@ -125,10 +126,10 @@ private:
     int slumps_left_ = 0;
     std::deque<TrailStamp> waiting_;
     std::deque<Known> known_; ///< the remembered stamps, the oldest first
-    /// Movement of the window in texels; the texels that it brought in are not levelled yet.
+    /// Movement of the window, in texels, since new texels were last set to level ground.
     glm::i64vec2 moved_{0};
     bool is_arriving_whole_ = false;          ///< all texels of the window are new
-    std::deque<shared::TrailPress> arriving_; ///< remembered stamps to repeat in the new texels
+    std::deque<shared::TrailPress> arriving_; ///< remembered stamps to repeat in the window's new texels
     int64_t now_ticks_ = 0;
 };
 
@@ -136,7 +137,7 @@ private:
 struct FootprintMoment {
     double time_s = 0.0;
     glm::dvec2 centre_m{0.0};
-    /// This moment directly follows the previous moment, as in a film, so the trails continue.
+    /// True if this moment directly follows the previous one, as in a film. The trails then continue.
     bool follows = false;
 };
 
@@ -151,9 +152,9 @@ public:
     /// Adds stamps for the next moment, see TrailField::press().
     void press(std::span<const TrailStamp> stamps);
 
-    /// Goes to a moment. If it follows the previous moment, sand slumps and trails are filled step by step.
-    /// For any other moment, the trails are rebuilt, so that they do not depend on what was shown before.
-    /// Going back in time forgets the program's stamps after that time.
+    /// Sets the time at which the trails are shown. If that moment follows the previous moment, sand slumps
+    /// and trails are filled step by step. For any other moment, the trails are rebuilt, so that they do not
+    /// depend on what was shown before. Going back in time forgets the program's stamps after that time.
     void prepare(gpu::Device& device, const FootprintMoment& moment);
 
     /// Returns whether more remembered stamps enter the window than one step can press, see
@@ -195,8 +196,8 @@ struct ReliefInputs {
     glm::vec3 towards_sun{0.0F}; ///< unit vector; zero if there is no sun
 };
 
-/// Bends the terrain's shading normals by trails, and turns them away from the sun where trails shade
-/// themselves.
+/// Tilts the terrain's shading normals by the slope of trails (footprints and drag marks), and turns them
+/// away from the sun where trails shade themselves.
 ///
 /// Writes  a new version of `normal`; the normals change at pixels of the terrain within the image of trails
 /// Cost    one full-screen dispatch
