@@ -32,7 +32,8 @@ layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 // A list of the tiles of 8 x 8 pixels that are not entirely blank, in any order. The list follows the
 // arguments of an indirect dispatch with one workgroup per tile.
 struct DarkTile {
-    // In entry n, the n-th listed tile: its column in the lower 16 bits, its row in the upper 16 bits.
+    // Entry n holds the position of the n-th listed tile: the tile's column in the lower 16 bits, its row in
+    // the upper 16 bits.
     uint place;
     uint is_listed; // in entry n: 1 if the n-th tile of the page, row by row, is already listed
 };
@@ -70,8 +71,8 @@ float darkness_at(ivec2 pixel)
     }
     dark = sees_draw(word) ? dark : 0.0;
     if (has_screen) {
-        // A surface behind a transparent surface gets lighter, as if seen through tracing paper. Its darkness
-        // is mixed with the darkness of the transparent surface.
+        // A surface behind a transparent surface is drawn lighter, as if it were seen through tracing paper.
+        // The darkness values of both surfaces are mixed.
         vec4 screen = texelFetch(screen_image, pixel, 0);
         float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
         dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;

@@ -33,8 +33,8 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_ink = (variant & dots_has_ink) != 0u;
 
 // Radius of the dots, in spacings of the lattice, for dots that cover a given share of the page. If the share
-// is more than pi / 4, the dots overlap. Newton's method then subtracts the four segments that each dot
-// loses.
+// is more than pi / 4, the dots overlap. Newton's method then takes into account the four circle segments by
+// which neighbouring dots overlap.
 float radius_for(float share)
 {
     float radius = sqrt(share / 3.14159265);
@@ -62,12 +62,12 @@ float dot_ink(vec2 from_object_px, float dark)
         constants.axis * from_object_px.x + vec2(-constants.axis.y, constants.axis.x) * from_object_px.y;
     vec2 place = across / constants.pitch_px;
     float radius_px = radius_for(dark) * constants.pitch_px;
-    // The area that a soft edge one pixel wide adds to a disc, divided by pi.
+    // The area that an antialiased edge one pixel wide adds to a disc, divided by pi, in square pixels.
     const float soft = 1.0 / 12.0;
     // A dot smaller than a pixel is drawn about one pixel wide and lighter.
     float drawn_px = max(sqrt(max(radius_px * radius_px - soft, 0.0)), 0.6);
     float ink = 0.0;
-    // A pixel between several dots may be partly covered by each of these dots.
+    // Several dots may each cover a part of the pixel, so the four nearest dots are summed.
     for (int i = 0; i < 4; ++i) {
         vec2 corner = floor(place) + vec2(i & 1, i >> 1);
         ink += clamp(drawn_px - length(place - corner) * constants.pitch_px + 0.5, 0.0, 1.0);

@@ -20,7 +20,7 @@
 namespace estampe::hatch {
 namespace {
 
-/// The axis across strokes that run along the coordinate u, turned by `degrees`.
+/// Returns the axis perpendicular to strokes. At 0 degrees, strokes run along the texture coordinate u.
 glm::vec2 turned(float degrees)
 {
     return {-glm::sin(glm::radians(degrees)), glm::cos(glm::radians(degrees))};
@@ -73,7 +73,7 @@ gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId 
 
 FirstLayer first_layer(const HatchStyle& style)
 {
-    // Largest share of full shadow that a single layer of strokes draws.
+    // Largest darkness of a single layer of strokes, as a share of the darkness of full shadow.
     constexpr float single_share = 0.7F;
     // The formula must equal kept_share() of shaders/lines.glsl; a test checks this.
     const float ends_mm = style.gap_mm > 0.0F ? 0.75F * (style.gap_mm + style.taper_mm) : 0.0F;

@@ -10,56 +10,59 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Value for a pixel into which the strokes of no other pixel run over.
+// Value in the image of overrun.comp: no strokes of another pixel extend into this pixel.
 SHARED_CONSTANT uint no_source = 0xffffffffU;
 
-// The ramp of a tonal art map is a table. For a darkness from 0 to 1, the table gives the value whose mean
-// ink is that darkness: a threshold, or a tone counted from 0 for paper. `ramp_steps` rows cover the blend
-// from a mip level to the next coarser level. The first block of rows blends the finest level with itself at
-// half the size; one block per level follows.
+// The ramp of a tonal art map is a table. The table converts a wanted darkness, from 0 to 1, to the value to
+// look up in the map: a threshold, or a tone counted from 0 for paper. Drawn with that value, the map's mean
+// ink is the wanted darkness. `ramp_steps` rows cover the blend from a mip level to the next coarser level.
+// The first block of rows blends the finest level with itself at half the size; one block per level follows.
 SHARED_CONSTANT uint ramp_length = 256U;
 SHARED_CONSTANT uint ramp_steps = 8U;
 
-// Variant bits (features that are compiled into a shader) of darkness.comp.
+// Variant bits: each bit compiles one feature into the shader darkness.comp.
 SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;   // strokes fade with the distance from the eye
 SHARED_CONSTANT uint darkness_has_screen = 1U << 1U; // the scene has transparent surfaces
 // The shader handles only the surfaces of one style variant (the style of certain materials or objects).
 SHARED_CONSTANT uint darkness_has_variants = 1U << 2U;
-// Keeps the ink of style variants (styles of certain materials or objects) that were drawn before.
+// The shader keeps the ink of style variants (styles of certain materials or objects) that were drawn earlier
+// in the frame.
 SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U;
 
-// Variant bit (compiled-in feature) of overrun.comp: the first step of the flooding, in which each pixel is
-// its own source.
+// Variant bit (compiled-in feature) of overrun.comp: the first step of the jump flooding, in which each pixel
+// is its own source of strokes.
 SHARED_CONSTANT uint overrun_is_first = 1U << 0U;
 
-// Variant bits (features that are compiled into a shader) of lines.comp and trace.comp.
+// Variant bits: each bit compiles one feature into the shaders lines.comp and trace.comp.
 SHARED_CONSTANT uint lines_has_growth = 1U << 0U;  // strokes that appear grow in length
 SHARED_CONSTANT uint lines_has_overrun = 1U << 1U; // strokes run over silhouettes onto blank paper
-// Runs one workgroup for every tile of the page, also for blank tiles.
+// One workgroup runs for every tile of the page, including blank tiles.
 SHARED_CONSTANT uint lines_has_all_tiles = 1U << 2U;
 // Strokes along the light follow the strongest lamp at each place.
 SHARED_CONSTANT uint lines_has_local_light = 1U << 3U;
-// Adds to the ink of style variants (styles of certain materials or objects) that were drawn before.
+// The shader adds its strokes to the ink of other style variants (styles of certain materials or objects),
+// drawn earlier in the frame.
 SHARED_CONSTANT uint lines_has_ink = 1U << 4U;
 // Position of the bits for kinds of stroke, one bit per kind, see stroke_kind.glsl.h.
 SHARED_CONSTANT uint lines_kinds_shift = 8U;
 
-// Variant bits (features that are compiled into a shader) of map.comp.
+// Variant bits: each bit compiles one feature into the shader map.comp.
 SHARED_CONSTANT uint map_tone_mask = 3U;
 SHARED_CONSTANT uint map_in_order = 0U;  // a darker tone adds stroke after stroke, by the map's thresholds
 SHARED_CONSTANT uint map_in_blends = 1U; // two neighbouring tones are blended
 SHARED_CONSTANT uint map_in_steps = 2U;  // each pixel shows only the nearer of two tones
 SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
-// Adds to the ink of style variants (styles of certain materials or objects) that were drawn before.
+// The shader adds its strokes to the ink of other style variants (styles of certain materials or objects),
+// drawn earlier in the frame.
 SHARED_CONSTANT uint map_has_ink = 1U << 3U;
 
-// Variant bit (compiled-in feature) of dots.comp: adds to the ink of style variants (styles of certain
-// materials or objects) that were drawn before.
+// Variant bit (compiled-in feature) of dots.comp: the shader adds its dots to the ink of other style variants
+// (styles of certain materials or objects), drawn earlier in the frame.
 SHARED_CONSTANT uint dots_has_ink = 1U << 0U;
 
 struct DarknessConstants {
     ToneConstants tone;
-    float fade; // share of the darkness that is left at infinite distance; 1 means no fade
+    float fade; // share of the darkness that remains at infinite distance; 1 means no fade
     float fade_distance_m;
     // Number of the style variant (the style of certain materials or objects) whose surfaces are handled.
     uint style_variant;
@@ -87,7 +90,7 @@ struct LineConstants {
     float overrun_px; // distance by which strokes run over silhouettes
 };
 
-// Largest share of the remaining darkness that a layer of strokes draws if another layer follows.
+// Largest share of the remaining darkness that one layer of strokes may draw if another layer follows.
 #ifdef __cplusplus
 inline constexpr float first_layer_share = 0.46F;
 inline constexpr float next_layer_share = 0.50F;
@@ -123,13 +126,16 @@ struct DotConstants {
 
 // A point where the centre line of a stroke passes between the centres of two neighbouring pixels.
 struct Crossing {
-    // 2 * index of the first pixel; plus 1 if the second pixel lies below, plus 0 if it lies to the right.
+    // The pair of pixels: 2 * index of the first pixel, plus 1 if the second pixel lies below, plus 0 if it
+    // lies to the right.
     uint edge;
     uint draw; // number of the draw call, plus 1
-    // Bits 0-7: family of strokes; from bit 8: exponent + 128; the line's coordinate is number * 2^exponent.
+    // Bits 0-7: number of the set of parallel strokes. Bits from 8 on: exponent + 128. The line lies at the
+    // stroke coordinate number * 2^exponent.
     uint line;
-    int number; // number of the line: odd, or 0
-    // Low half: position between the two pixels, 0 to 65535; high half: width in pixels, as a half float.
+    int number; // factor of 2^exponent in the line's coordinate: odd, or 0
+    // Lower 16 bits: position between the two pixels, 0 to 65535. Upper 16 bits: width in pixels, as a half
+    // float.
     uint place_and_width;
 };
 

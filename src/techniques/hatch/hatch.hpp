@@ -21,8 +21,8 @@ namespace estampe::hatch {
 
 /// How the tones of a tonal art map are combined at one pixel.
 enum class MapTone : uint8_t {
-    order = shared::map_in_order, ///< a darker tone adds stroke after stroke, by the map's thresholds
-    /// Two neighbouring tones are blended, with increased contrast about the middle.
+    order = shared::map_in_order, ///< more darkness adds stroke after stroke, by the map's thresholds
+    /// Two neighbouring tones are blended, then the contrast about middle grey is increased.
     blend = shared::map_in_blends,
     step = shared::map_in_steps ///< each pixel shows only the nearer of two tones
 };
@@ -37,9 +37,9 @@ struct MapData {
     std::vector<std::vector<uint8_t>> threshold_of_level;
 };
 
-/// Measures a map and computes its ramp (a table, see hatch.glsl.h). With the ramp, the mean ink equals the
-/// wanted darkness at every mip level and between levels, whatever the map's own tones are. Cost: 60 ms for
-/// 512 px.
+/// Measures a map and computes its ramp (a table, see hatch.glsl.h). With the ramp, the drawn mean ink equals
+/// the wanted darkness at every mip level and between levels, even if the map's own tones are uneven. Cost:
+/// 60 ms for 512 px.
 [[nodiscard]] std::vector<float> measured_ramp(const MapData& map, MapTone tone, float contrast);
 
 struct MapImages {
@@ -100,7 +100,8 @@ struct HatchStyle {
 
 [[nodiscard]] const style::Table<HatchStyle>& hatch_table();
 
-/// The first layer of lines in full shadow. Effects that align with its strokes need these values.
+/// The first layer of lines in full shadow. Effects whose marks follow the strokes of that layer need these
+/// values.
 struct FirstLayer {
     float width_mm = 0.3F;
     float darkness = 0.5F; ///< darkness of the lines without the gaps between strokes
@@ -137,7 +138,7 @@ struct HatchInputs {
     bool has_screen = false;
     shared::ToneConstants tone;
     uint32_t strokes_present =
-        0xff; ///< bit mask of the kinds of stroke in `draw`, see shaders/stroke_kind.glsl.h
+        0xff; ///< bit mask of the kinds of stroke that occur in `draw`, see shaders/stroke_kind.glsl.h
     /// Direction towards the strongest local light at each pixel, octahedral in r32ui; 0 if there is none.
     /// Strokes along the light follow these directions.
     std::optional<gpu::ImageId> strongest_light;
@@ -147,12 +148,14 @@ struct HatchInputs {
     std::optional<MapInputs> map; ///< tonal art map; set if the style uses one
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    /// Style variant of each draw call, as r32ui texels; not set if there is only one variant.
+    /// Number of the style variant (the style of certain materials or objects) of each draw call, as r32ui
+    /// texels; not set if there is only one variant.
     std::optional<gpu::BufferId> variant_of_draw;
-    std::optional<gpu::BufferId> draws; ///< buffer of all draws; needed only by dots
+    std::optional<gpu::BufferId> draws; ///< buffer of all draws (mesh primitives); used only for dots
     /// Number of the style variant (the style of certain materials or objects) whose surfaces are hatched.
     uint32_t variant = 0;
-    /// Ink of the style variants (styles of certain materials or objects) that were drawn before.
+    /// Ink of other style variants (styles of certain materials or objects) that were drawn earlier in the
+    /// frame.
     std::optional<gpu::ImageId> ink_before;
 };
 
@@ -160,7 +163,7 @@ struct HatchInputs {
 struct HatchVariant {
     HatchStyle style;
     shared::ToneConstants tone;
-    std::optional<MapInputs> map; ///< tonal art map; set if the variant's style uses one
+    std::optional<MapInputs> map; ///< tonal art map; set if this variant's style uses one
 };
 
 /// Returns a copy of `in` for one of several style variants (styles of certain materials or objects), which
@@ -171,7 +174,7 @@ struct HatchVariant {
 /// The darkness that the strokes must reach, and a list of the tiles where it is not zero.
 struct Darkness {
     gpu::ImageId image;  ///< r16f: darkness from 0 for paper to 1 for ink
-    gpu::ImageId blank;  ///< the page's ink before any stroke of this style variant is drawn
+    gpu::ImageId blank;  ///< ink of the page before this style variant draws its strokes
     gpu::BufferId tiles; ///< list of the tiles that are not blank, see darkness.comp
 };
 
@@ -182,13 +185,13 @@ struct Darkness {
 /// Draws lines whose mean ink is the wanted darkness. shaders/lines.glsl explains how lines are placed.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
-/// Cost    one dispatch without texture reads over the tiles that are not blank; over the page if
+/// Cost    one dispatch without texture reads over the tiles that are not blank; over the whole page if
 ///         strokes run over silhouettes
 [[nodiscard]] gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                      const HatchStyle& style);
 
-/// Draws strokes of a tonal art map; requires `in.map`. Near the eye, where its finest level would be
-/// enlarged, the map repeats at half the size, so that strokes keep their width at any zoom.
+/// Draws strokes of a tonal art map; requires `in.map`. Near the eye, the map's finest level would be
+/// enlarged. It is repeated at half the size instead, so that strokes keep their width at any zoom.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch, five texels per pixel

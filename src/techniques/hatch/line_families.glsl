@@ -22,8 +22,8 @@ const bool has_slices = (kinds & (directed_kinds | 1u << strokes_solid)) != 0u;
 // Direction towards the light at the pixel that is being drawn.
 vec3 towards_light = vec3(0.0, 1.0, 0.0);
 
-// The nearest of 26 fixed directions. It replaces the direction of a local light, which changes from place to
-// place, because the planes of strokes must stay fixed. So the page is divided into patches of straight
+// Rounds a direction to the nearest of 26 fixed directions. The direction of a local light changes from place
+// to place, but strokes need fixed planes. With rounding, the page is divided into patches of straight
 // strokes, as in hand drawing.
 vec3 settled(vec3 direction)
 {
@@ -50,8 +50,9 @@ bool lies_flat(uint kind)
 }
 
 // State of the loop over the families of strokes: two per layer, each with the darkness that it must draw.
-// The white areas left by all families multiply to the white that the wanted darkness leaves. In each layer,
-// the family that draws more comes first; the other family is skipped if it draws nothing.
+// The share of white paper that the wanted darkness leaves is the product of the shares that the families
+// leave. In each layer, the family that draws more comes first. The other family is skipped if it draws
+// nothing.
 struct Families {
     uint layer;
     bool is_second;
@@ -65,8 +66,8 @@ float layer_share(uint layer, float remaining)
     return layer + 1u >= constants.layers ? remaining : min(remaining, most);
 }
 
-// Share of a layer's strokes in its first family, which cuts the surface in slices across the strokes' axis.
-// The second family (level lines) draws the rest.
+// Share of a layer's strokes that its first family draws: parallel planes across an axis cut the surface, and
+// strokes follow the cuts. The layer's second family (level lines) draws the rest.
 float slice_share(uint layer, vec3 normal, uint kind)
 {
     return !has_slices || lies_flat(kind)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One thread draws the strokes of a tonal art map at one pixel. For every texel, the map stores the ink of
-// every tone, and a threshold: the darkness at which the texel turns to ink. Every mip level is a drawing of
-// its own, not a filtered image. Near the eye, the finest level is repeated at half the size, again and
-// again, so that strokes do not get wider.
+// every tone, and a threshold: the darkness at which the texel turns to ink. Every mip level is drawn
+// separately and is not a filtered image. Near the eye, the finest level is repeated at half the size, again
+// and again, so that strokes do not get wider.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -59,8 +59,8 @@ Place place_on(uint kind, vec3 p, Footprint f)
     place.at = along_z ? p.xy : along_y ? p.xz : p.zy;
     vec2 dx = along_z ? f.dx.xy : along_y ? f.dx.xz : f.dx.zy;
     vec2 dy = along_z ? f.dy.xy : along_y ? f.dy.xz : f.dy.zy;
-    // The size of a pixel in the map is a mean of the finer and the coarser direction of a tilted surface, so
-    // that the mean width of strokes is constant.
+    // On a tilted surface, a pixel covers different lengths of the map in two directions. The mip level is
+    // chosen by a mean of both, so that the mean width of strokes is constant.
     float area = abs(dx.x * dy.y - dx.y * dy.x);
     float widest = max(dot(dx, dx), dot(dy, dy));
     float texels = float(constants.map_size_texels) / constants.texels_per_px;
@@ -131,8 +131,8 @@ Four thresholds_at(vec2 place, int level)
     return four;
 }
 
-// Compares the darkness with the four thresholds in each of two mip levels, and blends the results. So edges
-// are smooth but not grey, and nothing jumps from level to level.
+// In each of two mip levels, compares the darkness with the thresholds of four texels, and blends the
+// results. So the edges of strokes are smooth but not grey, and mip levels change without a jump.
 float ordered_ink(Levels levels, float dark)
 {
     float asked = asked_of(levels, dark);

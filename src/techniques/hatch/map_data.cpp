@@ -20,8 +20,8 @@ using shared::ramp_steps;
 /// A mip level is measured at no more than this many places along a side.
 constexpr uint32_t measured_side = 96;
 
-/// Fills one row of the ramp with the inverse of the increasing function `ink_at`: for each darkness from 0
-/// to 1, the x in [low, high] at which the function reaches that darkness.
+/// Fills one row of the ramp with the inverse of the increasing function `ink_at`. The row contains, for each
+/// darkness from 0 to 1, the x in [low, high] at which `ink_at` reaches that darkness.
 void invert(const std::function<double(double)>& ink_at, double low, double high, float* row)
 {
     constexpr size_t samples = 256;
@@ -71,7 +71,7 @@ Four four_at(const std::vector<uint8_t>& image, uint32_t side, float x, float y)
     return four;
 }
 
-/// Lookups in a mip level and in the next coarser level, at the same places.
+/// Texels looked up in a mip level and, at the same places, in the next coarser level.
 struct Pair {
     std::vector<Four> fine;
     std::vector<Four> coarse;
@@ -85,8 +85,8 @@ Pair pair_of(const std::vector<std::vector<uint8_t>>& levels, uint32_t size_px, 
     const size_t coarse_level = level < 0 ? 0 : fine_level + 1;
     const uint32_t fine_side = std::max(size_px >> fine_level, 1U);
     const uint32_t coarse_side = std::max(size_px >> coarse_level, 1U);
-    // Pixels of the page may lie anywhere between texel centres. So the samples cover all quarters of a
-    // texel.
+    // Pixels of the page may lie anywhere between the map's texel centres. So the samples also lie at several
+    // positions within a texel.
     const uint32_t count = std::min(std::max(2 * fine_side, 8U), measured_side);
     const float step = static_cast<float>(fine_side) / static_cast<float>(count);
     Pair pair;

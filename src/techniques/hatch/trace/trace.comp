@@ -45,7 +45,7 @@ const float least_width_px = 0.04;
 const int most_lines = 64; // largest number of lines between two neighbouring pixels
 const uint most_families = 6u;
 
-// Inputs from which the strokes at one pixel follow.
+// The values that determine the strokes at one pixel.
 struct Spot {
     uint word;
     vec3 p;
@@ -84,8 +84,9 @@ void darkness_of_families(Spot spot, out float dark[most_families])
     }
 }
 
-// Maps the stroke coordinates of one pixel to those of its neighbour. Strokes along the form need it: their
-// coordinates are only defined up to whole numbers and sign.
+// Maps the stroke coordinates of one pixel to those of its neighbour. Only strokes along the form (the
+// curvature of the surface) need this mapping: their coordinates are only defined up to whole numbers and
+// sign.
 struct Turn {
     float sign;
     vec3 shift;
@@ -131,8 +132,8 @@ void list(uint edge, uint word, uint family, int number, int exponent, float alo
         Crossing(edge, draw_of(word) + 1u, line, number >> zeros, place | packHalf2x16(vec2(0.0, width_px)));
 }
 
-// Finds the crossings of one family of strokes between the pixels `a` and `b`. `part` limits the search to a
-// part of the way.
+// Finds the points where lines of one family (set of parallel strokes) pass between the pixels `a` and `b`.
+// `part` limits the search to a part of the distance between the pixels.
 void trace_family(Spot a, Spot b, float dark_a, float dark_b, Turn turn, uint family, uint edge, vec2 part)
 {
     HatchLineStyle style = line_style();

@@ -30,7 +30,7 @@ bool is_same_line(const shared::Crossing& a, const shared::Crossing& b)
     return a.draw == b.draw && a.line == b.line && a.number == b.number;
 }
 
-/// A crossing of a line, seen as a point on the border of one square of four pixels.
+/// A crossing (point where a line passes between two pixels) on the border of a square of four pixels.
 struct Corner {
     uint32_t square = 0; ///< index of the upper left pixel of the square
     size_t crossing = 0;
@@ -50,8 +50,8 @@ public:
         }
     }
 
-    /// Links the crossings from `first` to before `last`, all of one line, to strokes and appends these to
-    /// `strokes`.
+    /// Links the crossings of one line to strokes and appends the strokes to `strokes`. The crossings are
+    /// those from index `first` to before `last`.
     void add_line(size_t first, size_t last, std::vector<TracedStroke>& strokes)
     {
         corners_.clear();
@@ -98,8 +98,8 @@ private:
         (links_[b][0] == none ? links_[b][0] : links_[b][1]) = a;
     }
 
-    /// Links the crossings on the border of one square: first the two that are nearest to each other, then
-    /// the nearest two of the rest.
+    /// Links the crossings on the border of one square of four pixels in pairs. The two nearest crossings are
+    /// linked first, then the nearest two of the rest.
     void link_square(std::span<const Corner> around)
     {
         std::vector<size_t> open;
@@ -151,8 +151,8 @@ private:
         }
     }
 
-    /// Removes crossings that are too close to the previous one, which happens at corners of the pixel grid.
-    /// The direction between such points is unreliable.
+    /// Removes points that are too close to the previous point of the stroke. Such points occur at corners of
+    /// the pixel grid. The direction between such points is unreliable.
     static void space_out(std::vector<TracedPoint>& points)
     {
         const TracedPoint last = points.back();

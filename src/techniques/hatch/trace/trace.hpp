@@ -16,7 +16,8 @@ namespace estampe::hatch {
 
 /// Finds the points where the lines that add_hatch() draws pass between neighbouring pixels.
 ///
-/// Writes  the number of crossings, then a shared::Crossing for each, as far as there is room, in any order
+/// Writes  the number of crossings, then a list of shared::Crossing in any order; crossings without room in
+///         the list are only counted
 /// Cost    two full-screen dispatches per style variant (the style of certain materials or objects); some 60
 /// bytes per pixel, more if strokes are finer
 ///         than a pixel, at most `most_bytes`
