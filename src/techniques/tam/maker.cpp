@@ -20,7 +20,7 @@ namespace estampe::tam {
 namespace {
 
 constexpr uint32_t full = 65535;
-constexpr uint32_t half = full / 2; ///< a texel with more ink than this counts as ink
+constexpr uint32_t half = full / 2; ///< a texel with more ink than this counts as black
 
 /// The ink that a mark adds to a texel that already has `ink`.
 uint32_t added(uint32_t ink, uint32_t mark)
@@ -253,7 +253,7 @@ private:
         return Brush(style);
     }
 
-    /// Among the layers that this tone draws, finds the layer that lacks most of its share of ink.
+    /// Among the layers of strokes that this tone draws, finds the layer that lacks most of its planned ink.
     [[nodiscard]] size_t next_layer(const Level& level) const
     {
         constexpr std::array<double, most_layers> share{1.0, 0.75, 0.5};
@@ -280,7 +280,8 @@ private:
         stroke.length =
             std::min(length_px / static_cast<float>(size_px), longest * (1.0F - 0.4F * random_.unit()));
         stroke.direction = direction_of(style_.angle_deg + turn[layer] + style_.angle_spread_deg * spread);
-        // A separate statement, because the order in which function arguments are evaluated is unspecified.
+        // Each random number has its own statement, because the order in which C++ evaluates function
+        // arguments is unspecified.
         const float x = random_.unit();
         const glm::vec2 middle(x, random_.unit());
         stroke.start = middle - 0.5F * stroke.length * stroke.direction;
@@ -328,7 +329,7 @@ private:
         draw_stroke(stroke, nib_at(style_, size_px), brush_, level.tooth, size_px, marks_);
     }
 
-    /// Draws a stroke on its coarsest level and on all finer levels.
+    /// Draws a stroke on the mip level `coarsest` and on all finer levels.
     void place(const Stroke& stroke, size_t layer, size_t coarsest)
     {
         for (size_t i = 0; i <= coarsest; ++i) {
@@ -366,7 +367,8 @@ private:
                 place(stroke, layer, index);
                 continue;
             }
-            // The last two strokes share the missing ink, so that neither of them is a stub.
+            // If two more strokes can complete the tone, they share the missing ink, so that neither is a
+            // short stub.
             if (gain <= missing) {
                 static_cast<void>(shorten(stroke, level, 0.5 * missing));
                 place(stroke, layer, index);
@@ -408,9 +410,9 @@ private:
         return true;
     }
 
-    /// Brings the mean of a coarse level to `target` with dots that are too faint to count as ink. A few
-    /// texels cannot hold a tone otherwise. Finer levels do not get these dots, because their missing ink is
-    /// negligible.
+    /// Brings the mean ink of a coarse mip level to `target` with dots that are too faint to count as ink. A
+    /// level with few texels cannot reach a tone with whole strokes. Finer levels get no dots, because their
+    /// missing ink is negligible.
     void tint(size_t index, double target)
     {
         constexpr uint32_t finest_px = 128;

@@ -21,7 +21,8 @@ namespace estampe::tam {
 /// cached maps are drawn again.
 inline constexpr int drawing_version = 2;
 
-/// A stroke of a map. It appears in all levels from 0 to `level` and in all tones from `tone` on.
+/// A stroke of a map. The stroke appears in all mip levels from 0 (the finest) to `level`, and in all tones
+/// from `tone` on to the darkest.
 struct PlacedStroke {
     Stroke stroke;
     size_t tone = 0;
@@ -57,7 +58,7 @@ public:
     /// Mean coverage of the canvas, 0 to 1.
     [[nodiscard]] double mean() const;
 
-    /// By how much the mean coverage would grow if `marks` were drawn.
+    /// Returns by how much the canvas's mean coverage would grow if `marks` were drawn.
     [[nodiscard]] double gain(std::span<const Mark> marks) const;
 
     /// Draws `marks` on the canvas, and records the order in which texels turn to ink.
@@ -68,9 +69,9 @@ public:
 
     [[nodiscard]] Gray8 coverage() const;
 
-    /// Threshold of each texel: the share of all texels, times 255, that were ink when this texel turned to
-    /// ink. So a share of T / 255 of all texels has a threshold of at most T. Texels that never turned to ink
-    /// get the highest thresholds, in the order of decreasing ink.
+    /// Returns the threshold of each texel: the share of all texels, times 255, that were ink when this texel
+    /// turned to ink. Texels that never turned to ink get the highest thresholds, in the order of decreasing
+    /// ink. So a share of T / 255 of all texels has a threshold of at most T.
     [[nodiscard]] Gray8 thresholds() const;
 
 private:
@@ -82,10 +83,10 @@ private:
 };
 
 /// Positions of the strokes of one direction, at several scales; each scale is half as fine as the previous
-/// scale. A stroke is well spaced if at every scale it crosses little ink. Each scale stores a picture and
-/// the mean ink around each place. In the picture, strokes are as many pixels wide as in the level, and so
-/// keep other strokes farther away. The mean ink still differs from place to place when the picture is full
-/// of ink.
+/// scale. A new stroke is well spaced if it passes over little ink at every scale. Each scale stores a
+/// picture and the mean ink around each place. In a coarse picture, strokes have the same width in pixels as
+/// in the finest one, so they keep other strokes farther away. The mean ink is still useful when the picture
+/// is full of ink.
 ///
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001, section 3.2, for the pictures
 class Spacing {
@@ -97,8 +98,8 @@ public:
     /// drawn on a level of `size_px`.
     void add(const std::function<void(uint32_t size_px, std::vector<Mark>& marks)>& draw);
 
-    /// How much free space there is along `points` (in the unit square, not wrapped). Higher is better; the
-    /// value has no unit.
+    /// Measures the free space along `points`, the points of a new stroke (in the unit square, not wrapped).
+    /// Higher is better; the value has no unit.
     [[nodiscard]] float room(std::span<const glm::vec2> points) const;
 
 private:

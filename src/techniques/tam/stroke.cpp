@@ -12,8 +12,8 @@ namespace {
 
 constexpr size_t picture_columns = 256;
 
-/// Smallest ink on a stroke's centre line: more than one half, also after rounding. Otherwise the tip of a
-/// stroke, less than a pixel wide, could be ink in one level and not in the next.
+/// Smallest ink on a stroke's centre line. It is more than one half even after rounding. Otherwise a thin
+/// stroke tip could count as ink in one mip level and not in the next.
 constexpr float least_ink = 0.53F;
 
 float smooth(float from, float to, float x)
@@ -80,8 +80,8 @@ std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed
             const float height = 0.5F * bumps(x, y, cell_px, 0) +
                                  0.35F * bumps(x, y, std::max(1U, cell_px / 2), 101U) +
                                  0.15F * bumps(x, y, 1, 211U);
-            // Sums of bumps cluster around the middle value. This line spreads the heights over the whole
-            // range.
+            // The height of the paper is a sum of random bumps, and such sums cluster around one half. The
+            // factor spreads the heights over the range from 0 to 1.
             tooth[size_t{y} * size_px + x] = std::clamp(0.5F + 1.7F * (height - 0.5F), 0.0F, 1.0F);
         }
     }
@@ -147,8 +147,8 @@ float Brush::pressure(float along, uint32_t seed) const
     return 1.0F - pressure_ * noise;
 }
 
-/// Ink of a grainy tool: ink stays only on the bumps of the paper that the pressure reaches. The pressure is
-/// strongest on the centre line.
+/// Ink of a pencil or charcoal: only those bumps of the paper take ink that are high enough for the pressure.
+/// The pressure is strongest on the centre line.
 float Brush::grained(const Touch& touch, float roughness) const
 {
     const float side = std::min(1.0F, std::abs(touch.across_px) / (touch.half_px + 0.5F));
@@ -306,7 +306,8 @@ private:
     }
 
     int major_;
-    /// Lowest and highest row of the centre line in each column (columns and rows swapped for steep strokes).
+    /// For each column: lowest and highest row of the centre line. For steep strokes, rows and columns are
+    /// swapped.
     std::unordered_map<int, glm::ivec2> rows_;
 };
 

@@ -16,8 +16,8 @@
 
 namespace estampe::tam {
 
-/// A stroke on the unit square, which wraps at its edges. The stroke is identical at every level, except for
-/// its width.
+/// A stroke on the unit square, which wraps at its edges. The stroke is identical at every mip level, except
+/// for its width relative to the square.
 struct Stroke {
     glm::vec2 start{0.0F};
     glm::vec2 direction{1.0F, 0.0F}; ///< unit vector of the chord (the straight line from start to end)
@@ -26,8 +26,8 @@ struct Stroke {
     float wobble = 0.0F; ///< largest random deviation from the arc, as a share of the stroke's length
     uint32_t seed = 0;
 
-    /// Distance of the stroke to the left of its chord at `along` (0 is the start, 1 the end), in units of
-    /// the square.
+    /// Distance by which the stroke lies to the left of its chord (the straight line between its ends), in
+    /// units of the square. `along` is 0 at the start and 1 at the end.
     [[nodiscard]] float offset(float along) const;
 
     /// The point of the centre line at `along` (0 is the start, 1 the end); not wrapped into the unit square.
@@ -50,15 +50,15 @@ struct Mark {
 /// Position of a texel relative to a stroke.
 struct Touch {
     float along = 0.0F;     ///< position along the stroke: 0 at the start, 1 at the end
-    float across_px = 0.0F; ///< signed distance from the centre line
-    float half_px = 1.0F;   ///< half the stroke's width at this position
+    float across_px = 0.0F; ///< signed distance from the centre line, in pixels
+    float half_px = 1.0F;   ///< half the stroke's width at this position, in pixels
     float tooth = 0.0F;     ///< height of the paper at the texel, 0 to 1
     float hairs = 1.0F;     ///< fineness of a brush's hairs, as a multiple of the usual fineness
     bool on_middle = false; ///< the centre line of the stroke runs through the texel
 };
 
-/// Height of the paper at each texel of a level, 0 to 1. The heights wrap at the edges. `cell_px` is the size
-/// of the paper's bumps.
+/// Returns the height of rough paper at each texel of a mip level, 0 to 1. The heights repeat across the
+/// edges. `cell_px` is the size of the paper's bumps in pixels.
 [[nodiscard]] std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed);
 
 /// The ink of a picture that shows a stroke from left to right: values from 0 to 1, row by row from the top.

@@ -10,8 +10,8 @@ namespace estampe::tam {
 /// Drawing tool of the strokes, see class Brush in stroke.hpp.
 enum class Tool : uint8_t { pen, pencil, charcoal, burin, brush };
 
-/// Style of the strokes of a tonal art map. Lengths are in pixels of any level: a stroke is as many pixels
-/// wide in the coarsest level as in the finest.
+/// Style of the strokes of a tonal art map. Lengths are in pixels, equal for all mip levels: a stroke is as
+/// many pixels wide in the coarsest level as in the finest.
 struct TamStyle {
     int size_px = 512;
     int tones = 6;

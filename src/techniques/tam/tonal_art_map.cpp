@@ -32,7 +32,8 @@ void check_images(const std::vector<Gray8>& levels, uint32_t size_px, const std:
     }
 }
 
-/// The darkness between `a` and `b` at which the coverage, interpolated linearly, passes one half.
+/// Returns the darkness between `a` and `b` at which a texel's coverage passes one half, by linear
+/// interpolation.
 float crossing(float a, float coverage_of_a, float b, float coverage_of_b)
 {
     const float rise = coverage_of_b - coverage_of_a;
@@ -177,8 +178,8 @@ Image preview_sheet(const TonalArtMap& map, const glm::vec3& paper, const glm::v
             if (level == 1) {
                 corner.y += map.size_px + margin_px;
             }
-            // Skips the last few levels if they do not fit into the column. They are too small to
-            // distinguish.
+            // The last few mip levels are skipped if they do not fit into the column; they are too small to
+            // be seen.
             if (level < 2 || corner.x + size_px <= margin_px + (tone + 1) * (map.size_px + margin_px)) {
                 paste(sheet, map.level_of_tone[tone][level], size_px, corner, colors);
             }

@@ -21,8 +21,8 @@ inline constexpr uint32_t min_size_px = 32;
 inline constexpr uint32_t max_size_px = 2048;
 inline constexpr size_t min_tones = 1;
 inline constexpr size_t max_tones = 16;
-/// Smallest level that is drawn. Smaller levels are averaged from the level of this size, because in them a
-/// stroke would be as wide as the level.
+/// Side in pixels of the smallest mip level that is drawn with strokes. Smaller levels are averages of this
+/// level, because a stroke would be as wide as the whole level.
 inline constexpr uint32_t least_drawn_px = 8;
 
 /// Number of mip levels from `size_px` down to 1 px.
@@ -40,12 +40,12 @@ inline constexpr uint32_t least_drawn_px = 8;
 void check_map(const TonalArtMap& map, const std::string& where);
 
 /// Returns one threshold image per level. The threshold T of a texel is the darkness, times 255, at which the
-/// texel turns to ink. A shader draws any darkness t as saturate((t - T / 255) * sharpness + 0.5): whole
-/// strokes, in the order of the map.
+/// texel turns to ink. To draw any darkness t, a shader computes the ink of a texel as saturate((t - T / 255)
+/// * sharpness + 0.5). So whole strokes appear in the order of the map.
 ///
 /// Uses the maker's thresholds if the map has them: a share t of the texels has T <= 255 t, so the tone is
-/// exact. Otherwise coverage is interpolated linearly from each tone to the next, from paper at 0 to ink at
-/// 1, and T is where it passes one half.
+/// exact. Otherwise each texel's coverage is interpolated linearly from tone to tone, from paper at darkness
+/// 0 to ink at darkness 1; T / 255 is the darkness at which the coverage passes one half.
 ///
 /// Source  Webb et al., "Fine Tone Control in Hardware Hatching", NPAR 2002
 [[nodiscard]] std::vector<Gray8> threshold_levels(const TonalArtMap& map);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads and writes DDS files of uncompressed images. Debian packages no library that reads and writes arrays
-// with custom mip levels, and the required part of the format is only a header and a loop.
+// Reads and writes DDS files of uncompressed images. No library in Debian reads and writes DDS arrays with
+//       custom mip levels, and the required part of the format is small.
 #include "techniques/tam/files/map_files.hpp"
 
 #include <algorithm>
@@ -51,12 +51,12 @@ constexpr uint32_t dimension_2d = 3;           // value D3D10_RESOURCE_DIMENSION
 constexpr uint32_t r8_unorm = 61;
 constexpr uint32_t max_layers = max_tones;
 
-/// How the bytes of a texel are converted to light (0 to 255) and opacity.
+/// Describes how the bytes of a texel are converted to brightness (0 to 255) and opacity.
 struct Layout {
     uint32_t bytes = 1;
     std::array<uint32_t, 3> channel{0, 0, 0}; ///< positions in the texel of the bytes for red, green and blue
     std::optional<uint32_t> alpha;
-    bool is_coverage = false; ///< the byte is ink (255 is black), not light
+    bool is_coverage = false; ///< the byte is coverage by ink (255 is black), not brightness
 };
 
 class DdsReader {
@@ -197,9 +197,10 @@ private:
         uint32_t levels = 0;
     };
 
-    /// Reads the mip levels of a volume, one tone per slice of level 0. A coarser level has half the slices
-    /// of the level before it, so each tone is blended from the two slices of that level that are nearest in
-    /// darkness. Levels with a single slice are not read, because all tones would look the same on them.
+    /// Reads the mip levels of a volume, one tone per slice of level 0. A coarser level has half as many
+    ///       slices as the next finer level. So each tone of a coarser level is blended from the two slices
+    ///       nearest in darkness. Levels with a single slice are not read, because all tones would look
+    ///       equal.
     [[nodiscard]] std::vector<std::vector<Gray8>> volume_levels(const VolumeSize& size, size_t place) const
     {
         std::vector<std::vector<Gray8>> level_of_tone(size.slices);
@@ -219,8 +220,9 @@ private:
         return level_of_tone;
     }
 
-    /// Blends the two slices that are next in darkness, so that the mean of the result is `darkness`. Paper
-    /// counts as the slice before the first. A tone that is darker than the last slice gets the last slice.
+    /// Blends the slice that is next lighter and the slice that is next darker, so that the mean of the
+    /// result is `darkness`. Blank paper counts as the slice before the first. A tone that is darker than the
+    /// last slice is a copy of the last slice.
     [[nodiscard]] static Gray8 blended(const std::vector<Gray8>& slices, double darkness)
     {
         Gray8 lighter(slices.front().size(), 0);
@@ -268,7 +270,8 @@ DdsImages decode_dds(std::span<const std::byte> bytes, const std::string& name)
 std::vector<std::byte> encode_dds(const TonalArtMap& map)
 {
     check_map(map, {});
-    // Flags of the members that are set: caps, sizes, pitch, format, mip count.
+    // DDS header flags for the header fields that are set: capabilities, height, width, pitch, pixel format,
+    // mip count.
     constexpr uint32_t flags = 0x1 | 0x2 | 0x4 | 0x8 | 0x1000 | 0x20000;
     constexpr uint32_t caps = 0x8 | 0x1000 | 0x400000; // capabilities: complex, texture, mipmap
     std::vector<std::byte> bytes(header_bytes + dx10_bytes);

@@ -24,7 +24,8 @@ constexpr uint64_t max_image_bytes = uint64_t{1} << 27;
 constexpr const char* naming =
     "name them tone1.png, tone2.png, ... or tone1_level0.png, tone1_level1.png, ...";
 
-/// The numbers in a file name without its extension, from left to right: {1, 0} for "tone1_level0".
+/// Returns the numbers in a file name without extension, from left to right. For "tone1_level0", returns {1,
+/// 0}.
 std::vector<size_t> numbers_in(const std::string& stem)
 {
     constexpr size_t most = 100000;
@@ -44,7 +45,8 @@ std::vector<size_t> numbers_in(const std::string& stem)
     return numbers;
 }
 
-/// Image files by the tone and level in their names. A name with only one number has level 0.
+/// Image files, sorted by the numbers of tone and mip level in their names. A file name with only one number
+/// is level 0 of that tone.
 using Placed = std::map<std::pair<size_t, size_t>, fs::path>;
 
 Placed placed_files(const fs::path& folder, const std::string& extension)
@@ -137,7 +139,7 @@ PaintedMap read_folder(const fs::path& folder)
     return pictures.empty() ? read_dds_folder(folder, textures) : read_png_folder(folder, pictures);
 }
 
-/// Adds to each tone the ink that lighter tones have and this tone lacks.
+/// Adds to each tone the ink of all lighter tones, so that a darker tone never has less ink at any texel.
 void nest(PaintedMap& painted)
 {
     constexpr double worth_a_word = 0.001;

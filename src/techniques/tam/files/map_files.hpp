@@ -66,7 +66,7 @@ struct Manifest {
 /// File name of an image in a `.tam` archive, such as "tone1_level0.png". Names count tones from 1.
 [[nodiscard]] std::string image_name(size_t tone, size_t level);
 
-/// The layers of a DDS file, each with all mip levels that the file contains, finest first.
+/// The layers of a DDS texture file. Each layer has all mip levels that the file contains, finest first.
 struct DdsImages {
     uint32_t size_px = 0;
     /// Coverage of each texel: 255 (ink) where the file is black.
@@ -74,10 +74,11 @@ struct DdsImages {
 };
 
 /// Reads an uncompressed DDS file. Its texels are 8-bit luminance or alpha, 24- or 32-bit colour with masks,
-/// or, with a DX10 header, R8, RGBA8 or BGRA8. The file may contain one image, an array (one tone per layer),
-/// or a volume (one tone per slice). A volume's coarser mip levels have fewer slices: each tone is blended
-/// from the two slices nearest in darkness, as long as a level has two. Throws Error naming `name` if the
-/// file has another format, is truncated, is not square, or exceeds the limits of TonalArtMap.
+///       or, with a DX10 header, R8, RGBA8 or BGRA8. The file may contain one image, an array (one tone per
+///       layer), or a volume (one tone per slice). A volume's coarser mip levels have fewer slices: each tone
+///       is blended from the two slices nearest in darkness, as long as the level has at least two slices.
+///       Throws Error naming `name` if the file has another format, is truncated, is not square, or exceeds
+///       the limits of TonalArtMap.
 ///
 /// Source  Microsoft, "Programming Guide for DDS"
 [[nodiscard]] DdsImages decode_dds(std::span<const std::byte> bytes, const std::string& name);
@@ -91,9 +92,9 @@ struct DdsImages {
 /// Converts a picture to coverage (ink per texel): its darkness, with transparent pixels over white.
 [[nodiscard]] Gray8 coverage_of(const Image& picture);
 
-/// A square PNG as coverage (ink per texel), with the length of its side. Throws Error naming `name` if the
-/// file is not a PNG, is damaged, is not square, or its side is not a power of two or exceeds max_size_px.
-/// Checks the size before it allocates memory.
+/// Decodes a square PNG to coverage (ink per texel) and the length of its side. Throws Error naming `name` if
+/// the file is not a PNG, is damaged, is not square, or its side is not a power of two or exceeds
+/// max_size_px. Checks the size before it allocates memory.
 struct Square {
     uint32_t size_px = 0;
     Gray8 coverage;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr size_t direction_count = 3;
 
-/// The number of the third of the half circle in which a stroke's direction lies.
+/// The half circle of stroke directions is divided into three equal parts. Returns the number of the part
+/// that contains the stroke's direction.
 size_t direction_of(const PaintedStroke& stroke)
 {
     const glm::vec2 chord = stroke.points.back() - stroke.points.front();
@@ -86,8 +87,8 @@ public:
         }
     }
 
-    /// Keeps the best spaced strokes of `offered` until the mean coverage is `target`. `offered` must be
-    /// sorted, longest first. Returns the kept strokes in the order of `offered`. Takes short scraps only
+    /// Draws the best spaced strokes of `offered` until the mean coverage is `target`, and returns these
+    /// strokes in the order of `offered`. `offered` must be sorted, longest first. Short scraps are used only
     /// after all longer strokes.
     [[nodiscard]] std::vector<const PaintedStroke*> keep(std::vector<const PaintedStroke*> offered,
                                                          double target)
@@ -112,8 +113,9 @@ public:
     [[nodiscard]] Gray8 coverage() const { return canvas_.coverage(); }
 
 private:
-    /// Counts the strokes in `offered` that are longer than a third of the stroke at the median of the ink.
-    /// If none of these strokes is left, returns the number of all strokes.
+    /// Counts the strokes in `offered` that are longer than a third of a typical stroke. A typical stroke is
+    /// the one at which half of the ink lies in longer strokes. If no such stroke is left, returns the number
+    /// of all strokes.
     [[nodiscard]] size_t long_ones(const std::vector<const PaintedStroke*>& offered)
     {
         if (shortest_long_ == 0) {
@@ -163,8 +165,8 @@ private:
         pens_.front().draw(stroke, count, most_half_px(canvas_.size_px()), marks_);
     }
 
-    /// Draws a stroke, or the part of the stroke that the tone still needs. Returns false if the tone is
-    /// reached.
+    /// Draws a stroke, or only a part of the stroke if the tone needs no more ink. Returns false if the tone
+    /// is reached.
     [[nodiscard]] bool place(const PaintedStroke& stroke, double target)
     {
         constexpr size_t fewest_points = 3;
@@ -190,7 +192,8 @@ private:
         return all;
     }
 
-    /// Makes marks so faint that they do not count as ink, if they would add more ink than is missing.
+    /// If the marks (ink of a stroke per texel) would add more ink than is missing, makes them so faint that
+    /// they do not count as ink.
     void soften(double missing)
     {
         constexpr double faint = 0.45;

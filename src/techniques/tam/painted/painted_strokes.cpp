@@ -17,7 +17,7 @@ namespace {
 /// A line that is one pixel wide: consecutive pixels, whose positions do not wrap.
 using Chain = std::vector<glm::ivec2>;
 
-/// A square of texels that wraps at its edges.
+/// A square of texels that repeats across its edges.
 class Field {
 public:
     Field(std::vector<uint8_t> texels, uint32_t size_px) : texels_(std::move(texels)), size_px_(size_px) {}
@@ -61,7 +61,7 @@ End end_of(const std::vector<Chain>& chains, size_t index, bool at_back)
     return {index, at_back, tip, length > 0.0F ? out / length : glm::vec2(0.0F)};
 }
 
-/// Joins chains of pixels whose ends point at each other.
+/// Joins chains (lines of pixels) whose ends point at each other.
 class Joiner {
 public:
     Joiner(std::vector<Chain> chains, const Field& ink, float reach_px)
@@ -79,7 +79,8 @@ public:
         pair_ends();
         std::vector<Chain> joined;
         std::vector<bool> used(chains_.size());
-        // First follows the open sequences of chains from their free ends. The remaining sequences are rings.
+        // First follows the sequences of joined chains that have free ends. All remaining sequences are
+        // closed rings.
         for (const bool rings : {false, true}) {
             for (size_t end = 0; end < ends_.size(); ++end) {
                 if (!used[end / 2] && (rings || partner_[end] == none)) {
@@ -104,7 +105,8 @@ private:
         return difference - size_ * glm::round(difference / size_);
     }
 
-    /// How badly the ends of two chains fit together; negative if they cannot be joined.
+    /// Measures how badly the ends of two chains of pixels fit together: a smaller value is a better fit.
+    /// Returns a negative value if they cannot be joined.
     [[nodiscard]] float misfit(const End& a, const End& b) const
     {
         constexpr float least_agreement = 0.85F;
@@ -239,7 +241,7 @@ int neighbours(const Field& field, glm::ivec2 place)
     return count;
 }
 
-/// Walks along a line to its end, and removes the line from `lines`.
+/// Walks along a line of pixels to its end, appends the pixels to `chain` and removes them from `lines`.
 void walk(Field& lines, glm::ivec2 place, Chain& chain)
 {
     while (true) {
@@ -254,7 +256,7 @@ void walk(Field& lines, glm::ivec2 place, Chain& chain)
     }
 }
 
-/// Splits lines at their crossings. Each resulting chain runs from one end of a line to the other.
+/// Splits lines of pixels at their crossings. Each resulting chain runs from one end or crossing to another.
 std::vector<Chain> trace_chains(Field lines)
 {
     const auto size = static_cast<int>(lines.size_px());
@@ -299,8 +301,8 @@ float distance_to_paper(const Field& field, glm::ivec2 place)
     return std::sqrt(nearest);
 }
 
-/// Mean of each value and its two neighbours. It smooths the chain, because a row of pixels follows a
-/// stroke's centre only roughly.
+/// Smooths a chain: replaces each value by the mean of the value and its two neighbours. A row of pixels
+/// follows a stroke's centre only roughly.
 template <typename Value>
 std::vector<Value> smoothed(const std::vector<Value>& values)
 {
@@ -323,7 +325,8 @@ PaintedStroke stroke_of(const Chain& chain, const Field& fresh)
     const auto size_px = static_cast<float>(fresh.size_px());
     for (const glm::ivec2 place : chain) {
         stroke.points.push_back((glm::vec2(place) + 0.5F) / size_px);
-        // A texel of a gap lies where the stroke crosses another. The stroke's width does not change there.
+        // A texel in a gap lies where the stroke crosses another stroke. The crossing stroke keeps the width
+        // that it had before the gap.
         stroke.half_px.push_back(fresh.at(place) != 0 || stroke.half_px.empty()
                                      ? distance_to_paper(fresh, place)
                                      : stroke.half_px.back());
@@ -351,8 +354,8 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
         halves.push_back(stroke.half_px[stroke.half_px.size() / 2]);
     }
     std::sort(halves.begin(), halves.end());
-    // Where two strokes touch, the centre lines of both are far from paper, so both look too wide. This
-    // limits the width.
+    // Where two strokes touch, both centre lines are far from blank paper, so the measured widths are too
+    // large. Widths are limited to 1.5 times the stroke's median width.
     const float most = halves.empty() ? 0.0F : 1.5F * halves[halves.size() / 2];
     for (PaintedStroke& stroke : strokes) {
         for (float& half_px : stroke.half_px) {
@@ -361,8 +364,8 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
     }
 }
 
-/// Adds to `fresh` the texels of older ink that a fresh stroke crosses. Such a texel lies on a straight line,
-/// in one of twelve directions, on which most texels on both sides are fresh.
+/// Returns `fresh` (the ink that is new in a tone) with the texels of older ink that a new stroke crosses. A
+/// texel is added if, along a straight line in one of twelve directions, most texels on both sides are fresh.
 Field with_crossings(const Field& fresh, const Field& ink)
 {
     constexpr int reach_px = 8;
@@ -422,7 +425,8 @@ std::array<uint32_t, 8> around(uint32_t texel, uint32_t size_px)
     return {up + x, up + right, here + right, down + right, down + x, down + left, here + left, up + left};
 }
 
-/// Whether a texel at the edge of a line may be removed in this half of a thinning round.
+/// Whether thinning may remove a texel at the edge of a line. Each thinning round has two halves; `second`
+/// selects the half.
 bool removable(const std::vector<uint8_t>& mask, uint32_t texel, uint32_t size_px, bool second)
 {
     const std::array<uint32_t, 8> places = around(texel, size_px);

@@ -23,8 +23,9 @@ struct PaintedStroke {
 /// side; an empty `lighter` means paper.
 ///
 /// The difference is thinned to lines one pixel wide (Zhang and Suen, 1984), which are cut where they cross.
-/// Ends that point at each other across a gap of ink, such as a lighter stroke, are joined again. Widths are
-/// distances to the nearest paper, scaled so that the strokes have as much ink as the difference.
+/// Line ends that point at each other across older ink, such as a stroke of the lighter tone, are joined
+/// again. Widths are distances to the nearest paper, scaled so that the strokes have as much ink as the
+/// difference.
 ///
 /// Drops lines shorter than 3 px, and all but the longest 20000.
 [[nodiscard]] std::vector<PaintedStroke> find_strokes(const Gray8& lighter, const Gray8& darker,
