@@ -34,17 +34,17 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/sky/vault.glsl"
 
-// Rounds a share between horizon and zenith to flat tones with soft transitions.
+// Rounds a position between horizon (0) and zenith (1) to a number of flat tones with soft transitions.
 float stepped(float share, float steps)
 {
-    const float wiped = 0.3; // width of the transition between two tones, as a share of a tone
+    const float wiped = 0.3; // width of the transition between two tones, as a share of a tone's width
     float at = share * (steps - 1.0);
     float edge = floor(at) + 0.5;
     return (edge - 0.5 + smoothstep(edge - 0.5 * wiped, edge + 0.5 * wiped, at)) / max(steps - 1.0, 1.0);
 }
 
-// The wash without the discs of sun and moon: colours from horizon to zenith, with bands blended in from
-// above and below.
+// Colour of the sky's wash in a direction, without the disc of sun or moon: a gradient from horizon to
+// zenith, blended with colour bands high and low in the sky.
 vec3 graded(vec3 d, float height)
 {
     float share = smoothstep(0.0, 1.0, sqrt(height));
@@ -68,7 +68,7 @@ float disc_cover(vec3 d, float pixel_rad)
     vec2 at = vec2(dot(d, right), dot(d, cross(right, constants.towards_disc)));
     float away = dot(d, constants.towards_disc) > 0.0 ? asin(min(length(at), 1.0)) : 3.0;
     float cover = clamp((constants.disc_rad - away) / pixel_rad + 0.5, 0.0, 1.0);
-    // The border between the lit and the dark part of the moon is half an ellipse.
+    // The border between the moon's lit and dark part is half an ellipse on the page.
     float half_width = sqrt(max(constants.disc_rad * constants.disc_rad - at.y * at.y, 0.0));
     float from = at.x - (1.0 - 2.0 * constants.disc_lit) * half_width;
     cover *= constants.disc_lit < 1.0 ? clamp(from / pixel_rad + 0.5, 0.0, 1.0) : 1.0;

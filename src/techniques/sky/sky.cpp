@@ -33,7 +33,7 @@ Disc disc_of(const SkyStyle& style, const glm::vec3& towards_sun, const std::opt
     const glm::vec2 level = glm::normalize(glm::vec2(towards_sun.x, towards_sun.z) + glm::vec2(0.0F, 1e-6F));
     const float up = std::sin(*daylight_rad);
     const glm::vec2 along = level * std::cos(*daylight_rad);
-    constexpr float set_rad = -0.035F; // elevation of the sun at which its glow on the sky has disappeared
+    constexpr float set_rad = -0.035F; // elevation of the sun below which the sky no longer glows
     return *daylight_rad > set_rad
                ? Disc{.towards = {along.x, up, along.y}, .color = style.sun_color}
                : Disc{.towards = {-along.x, -up, -along.y}, .color = style.moon_color, .lit = style.moon_lit};

@@ -11,7 +11,8 @@ namespace estampe::shared {
 
 // Variant bit (compiled-in feature) of sky.comp: paints only the tiles in a list.
 SHARED_CONSTANT uint sky_has_tiles = 1U << 0U;
-// Variant bit of sky.comp: skips pixels whose visible surface is near.
+// Variant bit of sky.comp: skips pixels that show a surface nearer than `far_m`, because the surface hides
+// the sky.
 SHARED_CONSTANT uint sky_has_depth = 1U << 1U;
 
 struct SkyConstants {
@@ -21,7 +22,7 @@ struct SkyConstants {
     float darkness; // darkness of the strokes at the zenith, on the side away from the sun
     vec3 towards_sun;
     vec3 high_color; // linear colour of the band high in the sky
-    float high_rad;  // elevation of the middle of the high band's lower edge
+    float high_rad;  // elevation angle of the middle of the high band's soft lower edge, in radians
     vec3 low_color;
     float low_rad;
     vec3 disc_color;
@@ -32,28 +33,29 @@ struct SkyConstants {
     float far_m;    // only with sky_has_depth: surfaces nearer to the eye than this hide the sky
 };
 
-// Variant bits (features that are compiled into a shader) of clouds.comp.
+// Variant bits: each bit compiles one feature into the shader clouds.comp.
 SHARED_CONSTANT uint clouds_have_hatching = 1U << 0U;
 SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
 
-// An image of sunlight exists, in which other objects already cast shadows.
+// An input image of the share of sunlight exists; it contains the shadows of other objects.
 SHARED_CONSTANT uint clouds_have_share = 1U << 2U;
 SHARED_CONSTANT uint clouds_keep_cover = 1U << 3U; // also outputs the clouds' coverage of each pixel
 SHARED_CONSTANT uint clouds_have_tiles = 1U << 4U; // paints only tiles in a list
-SHARED_CONSTANT uint clouds_have_depth = 1U << 5U; // skips pixels whose visible surface is near
+SHARED_CONSTANT uint clouds_have_depth = 1U << 5U; // skips pixels that show a surface nearer than `far_m`
 SHARED_CONSTANT uint clouds_by_groups = 1U << 6U;  // the pixels of a workgroup find their puffs together
 
 SHARED_CONSTANT uint most_puff_layers = 2U;
 SHARED_CONSTANT float puff_wavers = 1.2F; // largest radius of a wavering outline, in radii of its puff
 
-// The space of a cloud layer: coordinates along the wind, above the base and across the wind, in cells. A
-// tile of `cells` x `cells` cells repeats. Puffs are balls in layer space, but may be flat or long in metres.
+// The space of a cloud layer: coordinates along the wind, above the base and across the wind, in cells. The
+// clouds repeat after a tile of `cells` x `cells` cells. Puffs (parts of a cloud) are balls in this space,
+// but may be flat or long in metres.
 
 // A puff, a ball of cloud. It is stored in two texels of four floats.
 struct CloudPuff {
     vec3 centre; // position in layer space, on the tile or next to it
     float radius;
-    vec3 lean;   // unit vector, in metres: the direction that the cloud mass around the puff faces
+    vec3 lean;   // unit vector in metres: direction in which the cloud mass around the puff thins out
     float trait; // random number of the puff, 0 to 1
 };
 
@@ -61,10 +63,10 @@ struct CloudPuff {
 struct PuffLayer {
     vec3 eye;      // position of the eye in layer space, on the tile
     float base_m;  // height of the base above the eye
-    vec3 per_m;    // factors from metres to layer space
+    vec3 per_m;    // cells per metre along each axis of layer space
     float thick_m; // thickness of the layer
     float pen;     // factor on the width of the outlines
-    float under;   // how much less light the base of the clouds receives
+    float under;   // how much darker the base of the clouds is
     uint cells;
     // Index of the first cell in the list of starts, for lists of all puffs that touch a cell.
     uint first_cell;
@@ -95,13 +97,14 @@ struct CloudGlobals {
     float shade_below; // surfaces with less light than this are shaded
     float middle_band; // range of light below `shade_below` that is drawn in the middle tone
     float outline_px;
-    float broken; // share of an outline's lit side that is left out
+    float broken; // share of the outline on the lit side that is left out
     float hatch_darkness;
     float hatch_width_px;
     float reach_m; // distance from the eye at which clouds have dissolved
 };
 
-// Constants of clouds.comp that are only used with clouds_have_depth.
+// Constants of clouds.comp for skipping pixels whose surface hides the clouds; used only with
+// clouds_have_depth.
 struct CloudCover {
     float far_m; // distance from the eye; no clouds are painted over nearer surfaces
 };

@@ -65,18 +65,20 @@ struct SkyColors {
     float darkness = 0.0F; ///< darkness of the sky's strokes at the zenith
 };
 
-/// Returns the sky's colours for a direction of the sun. They depend on the sun's elevation if the style's
-/// sky follows the sun.
+/// Returns the sky's colours for a direction of the sun. If the style's sky does not follow the sun, the
+/// colours are constant.
 [[nodiscard]] SkyColors colors_under(const SkyStyle& style, const glm::vec3& towards_sun,
                                      const std::optional<float>& daylight_rad);
 
-/// Elevation of the sun on which the sky's colours depend; none if the style keeps the colours fixed.
+/// Returns the sun's elevation from which the sky's colours are computed, in radians. Returns none if the
+/// style keeps the colours fixed.
 [[nodiscard]] std::optional<double> followed_elevation_rad(const SkyStyle& style,
                                                            const glm::vec3& towards_sun,
                                                            const std::optional<float>& daylight_rad);
 
-/// Returns the sky's colours at an elevation of the sun: night up to -10 degrees, dusk at -2, the style's
-/// horizon and zenith colours from 4 to 12, noon from 40, with smooth transitions.
+/// Returns the sky's colours at an elevation of the sun. Below -10 degrees it is night, and at -2 degrees
+/// dusk. From 4 to 12 degrees, the colours are the style's horizon and zenith colours. From 40 degrees on it
+/// is noon. The transitions are smooth.
 [[nodiscard]] SkyColors colors_at(const SkyStyle& style, double sun_elevation_rad);
 
 /// Paints the sky of the page. Returns blank images of one texel if the style draws no sky. Cost: one

@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_VAULT
 #define ESTAMPE_VAULT
 
-// Strokes on the sky. The including shader must define `frame` before this file.
+// Coordinates and pen of the strokes that hatch the sky. The including shader must define `frame` before this
+// file.
 
 #include "shaders/camera.glsl"
 #include "shaders/lines.glsl"
@@ -21,16 +22,16 @@ bool is_covered(sampler2D depth_image, ivec2 pixel, vec3 d, float far_m)
     return frame.is_orthographic == 0u && texelFetch(depth_image, pixel, 0).x > depth_at_most;
 }
 
-// Coordinates on the sky: the bearing, and the height above the horizon. The height is bent, so that strokes
-// curve like a vault.
+// Coordinates on the sky: the bearing, and the height above the horizon. The height is distorted, so that
+// strokes of equal height curve on the page like a vault.
 vec2 vault(vec3 d)
 {
     return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz)));
 }
 
-// Coordinate along the strokes of the sky: the bearing, which must jump by a full turn somewhere. The jump is
-// behind the viewer. Its bearing differs with the height, so that the strokes do not all break at one
-// bearing.
+// Coordinate along the sky's strokes: the bearing. A bearing must jump by a full turn somewhere, and each
+// stroke is interrupted at the jump. The jump is behind the viewer, at a bearing that differs from stroke to
+// stroke.
 float along_strokes(vec2 here)
 {
     float middle = 1.2 * sin(53.0 * here.y);

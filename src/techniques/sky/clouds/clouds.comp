@@ -49,18 +49,19 @@ const bool have_tiles = (variant & clouds_have_tiles) != 0u;
 const bool have_depth = (variant & clouds_have_depth) != 0u;
 const bool by_groups = (variant & clouds_by_groups) != 0u;
 
-// Smallest upward component of a view direction with clouds; lower clouds are too far away.
+// Smallest upward component of a view direction in which clouds are drawn. Clouds in lower directions are too
+// far away.
 const float lowest_way = 0.012;
 
 #include "techniques/sky/clouds/puffs.glsl"
 #include "techniques/sky/clouds/puffs_of_group.glsl"
 
-// Streaks (cirrus clouds): white strokes on a high plane, along the wind.
+// Streaks (cirrus clouds): white strokes along the wind, on a horizontal plane high above the ground.
 
 #include "shaders/lines.glsl"
 
-// Where a ray hits the plane of the streaks, in cells: along the strokes, which bend slightly, and across the
-// strokes.
+// Returns where a ray hits the plane of the streaks, in cells: first along the slightly bent streaks, then
+// across them.
 vec2 streak_place(StreakLayer layer, vec3 d)
 {
     vec2 at = layer.eye + d.xz * (layer.base_m / (max(d.y, 1e-3) * layer.cell_m));

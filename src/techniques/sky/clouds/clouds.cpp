@@ -90,7 +90,7 @@ struct Kind {
     uint32_t mass_cells;
     PuffShape shape;
     float pen;   ///< factor on the width of the outlines
-    float under; ///< how much less light the flat base of a cloud receives
+    float under; ///< how much darker the flat base of a cloud is
     uint32_t seed;
 };
 
@@ -142,7 +142,8 @@ Wind wind_of(const CloudStyle& style, double time_s)
             .drifted_m = static_cast<double>(wind::speed_m_per_s(style.wind, style.wind_m_per_s)) * time_s};
 }
 
-/// Appends lists of puffs to `shapes`. Returns the index of the first cell of these lists.
+/// Appends lists of puffs (balls of cloud) to `shapes`. Returns the index of the first appended cell in
+/// CloudShapes::starts.
 uint32_t add_lists(CloudShapes& shapes, const PuffLists& lists)
 {
     const auto first_cell = static_cast<uint32_t>(shapes.starts.size());
@@ -160,8 +161,8 @@ glm::vec2 on_tile(const glm::dvec2& place, double tile)
     return glm::vec2(place - tile * glm::floor(place / tile));
 }
 
-/// Phase of the clouds' slow change, rounded to steps. The steps are too small to see, but so large that many
-/// frames of a film share one value.
+/// Phase of the clouds' slow change, rounded to small steps. A step is too small to be seen, and many frames
+/// of a film have the same phase.
 float turn_of(const CloudStyle& style, double time_s)
 {
     constexpr double steps = 32768.0;
@@ -232,8 +233,8 @@ void add_streaks(CloudPlan& plan, const CloudStyle& style, const CloudView& view
         .width_px = style.streaks_mm * view.pixels_per_mm};
 }
 
-/// Adjusts the style's colours to the time of day. A low sun tints the lit side with the horizon's colour,
-/// and at night both colours blend into the sky's colour.
+/// Adjusts the style's colours to the time of day. When the sun is low, the lit colour is mixed with the
+/// horizon's colour. At night, the lit and the shaded colour are mixed with the sky's colour.
 void set_colors(shared::CloudGlobals& globals, const CloudStyle& style, const CloudView& view)
 {
     glm::vec3 lit = style.color;

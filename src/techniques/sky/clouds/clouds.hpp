@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clouds and their section of the style. There are three layers: cumulus, made of round puffs on a flat base;
-// above it small flat clouds (altocumulus); highest streaks (cirrus). The layers are fixed in the world and
-// drift with the wind.
+// Clouds and their section of the style. There are three layers. The lowest layer is cumulus, made of round
+// puffs on a flat base. Above it lie small flat clouds (altocumulus). The highest layer is streaks (cirrus).
+// The layers are fixed in the world and drift with the wind.
 
 #include <array>
 #include <memory>
@@ -65,7 +65,8 @@ struct CloudView {
 
 /// The shapes of all clouds. They do not depend on the camera.
 struct CloudShapes {
-    /// One layer of puffs (balls of cloud): where its data starts in the lists of CloudShapes.
+    /// One layer of puffs (balls of cloud): indices at which the layer's data starts in the lists of
+    /// CloudShapes.
     struct Layer {
         uint32_t first_cell = 0;
         uint32_t first_home = 0; ///< index of the first cell in the lists that contain each puff only once
@@ -77,7 +78,8 @@ struct CloudShapes {
     Layer add(std::span<const shared::CloudPuff> layer_puffs, uint32_t cells);
 
     std::array<Layer, 2> layers; ///< cumulus clouds, then altocumulus clouds
-    /// For each list: index of the first puff of each cell, then the end of the last cell.
+    /// Several lists of cells. Each list stores the index of the first puff (ball of cloud) of each cell,
+    /// then the end of the last cell.
     std::vector<uint32_t> starts;
     std::vector<shared::CloudPuff> puffs;
     std::vector<float> streaks; ///< density of streaks at each corner of the cells, row by row
@@ -105,8 +107,8 @@ struct CloudPlan {
 };
 
 /// Computes the clouds of a picture. Returns none if the style has no clouds or the eye is above all clouds.
-/// Clouds change in small steps, 32,768 steps in `clouds.change_s`. The result does not depend on the content
-/// of `memory`. Cost: that of memory.shapes().
+/// The clouds' shapes change in small steps: 32,768 steps in the time `clouds.change_s`. `memory` only saves
+/// time and does not change the result. Cost: memory.shapes().
 [[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view,
                                                    CloudMemory& memory);
 
@@ -128,15 +130,16 @@ struct CloudInputs {
     /// If set, paints clouds only in these tiles of the page, a list from surface::add_far_tiles(). Requires
     /// keeps_cover = false.
     std::optional<gpu::BufferId> tiles;
-    /// If set, skips pixels whose visible surface is nearer to the eye than this distance.
+    /// If set, paints no clouds at pixels that show a surface nearer to the eye than this distance.
     std::optional<float> far_m;
     /// If set, the 8 x 8 pixels of a workgroup find their puffs together, which is faster on GPUs. A tile of
-    /// the page must then begin at a multiple of 8 pixels. Otherwise crossing outlines may differ from those
-    /// of the whole page.
+    /// the page must then begin at a multiple of 8 pixels. With other tile positions, outlines that cross
+    /// each other may differ from those of a page drawn in one piece.
     bool by_groups = false;
 };
 
-/// A sky with clouds, and the coverage by clouds: r16f, or one texel without `keeps_cover`.
+/// A sky with clouds, and an r16f image of each pixel's coverage by clouds. Without `keeps_cover`, that image
+/// is a single texel.
 struct CloudedSky {
     Sky sky;
     gpu::ImageId cover;

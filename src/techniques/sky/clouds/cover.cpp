@@ -28,7 +28,7 @@ float periodic_noise(glm::vec2 place, uint32_t period, uint32_t seed)
                     glm::mix(value(0.0F, 1.0F), value(1.0F, 1.0F), f.x), f.y);
 }
 
-/// The position at which a smoothstep from 0 to 1 has the value `y`.
+/// The inverse of the function smoothstep from 0 to 1: the position at which its value is `y`.
 float inverse_smoothstep(float y)
 {
     return 0.5F - std::sin(std::asin(std::clamp(1.0F - 2.0F * y, -1.0F, 1.0F)) / 3.0F);
@@ -53,14 +53,16 @@ PuffSeed seed_of(const CoverField& field, const PuffShape& shape, int x, int y, 
             .trait = hashed(cell, number, 14U)};
 }
 
-/// Direction that the cloud mass around a cell faces: the direction in which the mass gets thinner.
+/// Direction in which the cloud mass around a cell gets thinner. The shading treats the mass as if it faced
+/// that way.
 glm::vec3 lean_of(const CoverField& field, int x, int y)
 {
     const glm::vec2 slope(field.at(x + 1, y) - field.at(x - 1, y), field.at(x, y + 1) - field.at(x, y - 1));
     return glm::normalize(glm::vec3(-6.0F * slope.x, 0.6F, -6.0F * slope.y));
 }
 
-/// Lists puffs by cell. `for_cells` visits all cells of a puff, with the offset of the puff for each cell.
+/// Makes lists of puffs (balls of cloud) per cell. `for_cells` visits all cells that a puff touches, and
+/// gives the shift of the puff for each cell.
 template <typename ForCells>
 PuffLists list_by_cell(std::span<const shared::CloudPuff> puffs, uint32_t cells, const ForCells& for_cells)
 {
@@ -134,7 +136,8 @@ float limit_for(const CoverField& field, const PuffShape& shape, float share, ui
             seeds.push_back(seed_of(field, shape, x, y, 0, seed));
         }
     }
-    // For each point of the base: puffs cover the point if the limit is lower than this value.
+    // For each point of the cloud base: the value of the limit below which puffs (balls of cloud) cover the
+    // point.
     std::vector<float> limits;
     limits.reserve(size_t{points_a_cell} * field.values.size());
     for (int y = 0; y < cells; ++y) {

@@ -44,23 +44,23 @@ struct CoverNoise {
 /// Size of puffs (balls of cloud) in cells, and how the puffs are stacked.
 struct PuffShape {
     float radius = 0.85F;      ///< radius of a puff where the cloud is dense, in cells
-    float growth = 0.10F;      ///< by how much the field must exceed the limit until a puff has its full size
+    float growth = 0.10F;      ///< by excess of the field over the limit at which a puff has its full size
     uint32_t levels = 1;       ///< number of puffs on top of each other
     float level_rise = 0.62F;  ///< height from one puff to the next higher puff, in radii
-    float level_limit = 0.06F; ///< by how much the limit of the field increases with each level of puffs
+    float level_limit = 0.06F; ///< increase of the field's limit from one level of puffs to the next higher
 };
 
-/// The limit of the field for which puffs cover the given share of the base. Cost: linear in the number of
-/// cells.
+/// Finds the limit above which the noise field forms puffs (balls of cloud), such that puffs cover the given
+/// share of the layer's base. Cost: linear in the number of cells.
 [[nodiscard]] float limit_for(const CoverField& field, const PuffShape& shape, float share, uint32_t seed);
 
-/// The puffs that form where the field exceeds the limit. Positions are in cells.
+/// The puffs (balls of cloud) that form where the noise field exceeds the limit. Positions are in cells.
 [[nodiscard]] std::vector<shared::CloudPuff> puffs_of(const CoverField& field, const PuffShape& shape,
                                                       float limit, uint32_t seed);
 
-/// Puffs by the cells of the tile, for the walk along a ray. Each puff is in the list of every cell that its
-/// outline may touch. In cells across the tile's edge, the puff's centre is shifted by the tile's size, so
-/// that it lies next to the cell.
+/// Lists of the puffs (balls of cloud) in each cell of the tile, for the walk along a ray. Each puff is in
+/// the list of every cell that its outline may touch. In cells across the tile's edge, the puff's centre is
+/// shifted by the tile's size, so that it lies next to the cell.
 struct PuffLists {
     /// Index of the first puff of each cell, row by row, then the end of the last cell.
     std::vector<uint32_t> starts;

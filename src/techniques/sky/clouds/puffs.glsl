@@ -17,7 +17,7 @@ struct SeenPuffs {
     float shade;    // shade of the nearest puff: 0 lit, 1 shaded, 0.5 in the band between
     float line;     // ink of the outline at this pixel, 0 to 1
     float line_m;   // distance from the eye to the outlined puff
-    float line_px;  // distance of the pixel from the edge of the outlined puff, in pixels outside of it
+    float line_px;  // distance of the pixel outside of the outlined puff's edge, in pixels
     float width_px; // width of the outline in pixels
 };
 
@@ -50,8 +50,8 @@ float pen_px(float widest_px, float facing, float angle, float trait, float away
     return widest_px * thinned * mix(1.0, 0.45, lit) * mix(1.0, 0.7, pressed) * (1.0 - left_out);
 }
 
-// Light on a puff's surface that faces `outward`, from -1 to 1. The normal is bent towards `lean`, the
-// direction that the whole cloud mass faces.
+// Light on the point of a puff's surface with the normal `outward`, from -1 to 1. The normal is bent towards
+// `lean`, the direction that the whole cloud mass faces.
 float light_on(vec3 outward, vec3 lean)
 {
     return dot(normalize(mix(outward, lean, 0.45)), clouds.towards_sun);
@@ -66,7 +66,7 @@ float shade_of(float light, float soft)
     return 0.5 * (low + lower);
 }
 
-// Share of ink at a pixel that lies `beyond_px` outside of the outlined edge.
+// Coverage by ink of a pixel that lies `beyond_px` pixels outside of the outlined edge of a puff.
 float line_ink_at(float beyond_px, float width_px)
 {
     return clamp(beyond_px + 0.5, 0.0, min(width_px, 1.0)) * clamp(width_px - beyond_px + 0.5, 0.0, 1.0);
@@ -83,8 +83,8 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
     float angle = atan(dot(offset, ray.aside), offset.y) * 0.15915494;
     float radius = puff.radius * (1.0 + 0.05 * wave(3.0 * angle + puff.trait) +
                                   0.035 * wave(7.0 * angle + 5.0 * puff.trait));
-    // The step on the surface that corresponds to one pixel across the outline: in the plane of the base
-    // where the base cuts the ball, else across the ray.
+    // Step from pixel to pixel at the outline. Where the flat base cuts the ball, the step lies in the plane
+    // of the base; elsewhere it is perpendicular to the ray.
     vec3 slope = normal * layer.per_m;
     slope.y -= at_m > nearest_m ? dot(slope, ray.d) / ray.d.y : 0.0;
     float span = max(at_m * ray.pixel_rad * length(slope), 1e-9);
@@ -107,7 +107,8 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
         float into_m = nearest_m - half_chord_m;
         float hit_m = max(into_m, ray.enter_m);
         if (hit_m <= seen.away_m) {
-            // Blends the shades of the puff's side and base where the rim of the base crosses the pixel.
+            // Where the edge between a puff's flat base and its round side crosses the pixel, the shades of
+            // both are blended.
             float under =
                 clamp((ray.enter_m - into_m) * ray.d.y / (ray.enter_m * ray.pixel_rad) + 0.5, 0.0, 1.0);
             vec3 side = normalize((from_centre + ray.step * hit_m) * layer.per_m);
@@ -178,7 +179,7 @@ bool is_near(SeenPuffs seen, PuffRay ray, vec3 from_centre, float radius)
 }
 
 // Advances to the next puff near the ray. Returns false at the end of the ray. CPUs run several rays in
-// lockstep; with this small loop they process fewer puffs.
+// lockstep, and this small loop reduces the number of puffs that all rays must process together.
 bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray)
 {
     bool is_found = false;

@@ -15,13 +15,13 @@ const int group_threads = 64;
 shared vec3 corner_ways[4];
 // Normals of the planes between neighbouring corner_ways, in layer space, pointing inwards.
 shared vec3 inward[4];
-// Sums of each subgroup: the number of puffs, and whether any pixel still needs puffs. Two copies are used in
-// turn.
+// For each subgroup of threads: the number of puffs, and 1 if any pixel still needs puffs. Two copies of the
+// array are used in turn.
 shared uvec2 subgroup_sums[2][group_threads];
 shared ivec3 found[group_threads]; // index of a puff, and its cell
 shared vec4 balls[group_threads];  // xyz: vector from the puff's centre to the eye; w: radius of the puff
 shared vec4 leans[group_threads];  // xyz: direction that the cloud mass faces; w: random number of the puff
-shared uint kept[2][2];            // one bit per puff that is near some ray; two copies are used in turn
+shared uint kept[2][2];            // one bit per puff that is near any ray; two copies are used in turn
 
 // The region of cells that may hold centres of puffs near the group's rays. It consists of rows of cells, the
 // nearest row first.
@@ -32,7 +32,8 @@ struct PuffBand {
     int first_row;
     int row_count;
     int column_count; // largest number of cells in a row
-    // Smallest and largest slope of the rays: distance along a row of cells per distance across it.
+    // Smallest and largest slope of the rays. The slope is the distance along a row of cells per distance
+    // across the row.
     vec2 slopes;
     vec2 sides;   // smallest and largest extent along the rows of cells, relative to the eye
     float beyond; // Largest distance along a row of cells between a ray and the centre of a puff near it.
@@ -44,8 +45,8 @@ vec2 in_band(PuffBand band, vec2 place)
     return band.is_turned ? place.yx : place;
 }
 
-// Whether `is_one` is true for any thread. All threads of a workgroup must call this function together, after
-// corner_ways is written.
+// Returns whether `is_one` is true for any thread of the workgroup. All threads of a workgroup must call this
+// function together, after corner_ways is written.
 bool any_of_group(bool is_one)
 {
     bool is_any = subgroupAny(is_one);
@@ -131,7 +132,8 @@ bool cell_of(PuffBand band, PuffLayer layer, int number, out ivec2 cell)
     return row < band.row_count && float(column) <= eye.y + to;
 }
 
-// Smallest distance along a ray at which puffs may be near that lie in cells of the band from `number` on.
+// Smallest distance along a ray at which the ray may come near a puff in the cells of the band from cell
+// `number` on.
 float nearest_of(PuffBand band, PuffLayer layer, PuffRay ray, int number)
 {
     int line = band.first_row + band.forth * (number / band.column_count) + (band.forth > 0 ? 0 : 1);
@@ -170,7 +172,8 @@ void see_kept(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, uint turn)
     }
 }
 
-// Numbers of puffs: in the cell of this thread, in the cells of earlier threads, and in all cells.
+// Three numbers of puffs: in this thread's cell, in the cells of threads with lower numbers, and in the cells
+// of all threads.
 struct CellPuffs {
     ivec2 cell;
     int start;
@@ -230,8 +233,8 @@ void find_kept(CellPuffs puffs, PuffLayer layer, int from, uint turn)
     barrier();
 }
 
-// Does the same as puffs_along(), but all threads of a workgroup must call it together, including those whose
-// pixel shows no clouds.
+// Returns the puffs that a pixel's ray sees, like puffs_along(). All threads of a workgroup must call this
+// function together, including those whose pixel shows no clouds.
 SeenPuffs puffs_of_group(PuffLayer layer, vec3 d, float pixel_rad, bool sees_any)
 {
     barrier(); // no thread may write before all threads have finished the previous layer
