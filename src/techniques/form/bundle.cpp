@@ -51,9 +51,10 @@ Bundle::Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<
     }
 }
 
-/// Groups the nodes of a level for the next coarser level. Each node whose neighbours are all free forms a
-/// group with these neighbours. Each remaining node then joins the group of its most strongly linked
-/// neighbour. Returns false if this hardly reduces the number of nodes.
+/// Merges the nodes of a multigrid level into groups, which are the nodes of the next coarser level. Each
+/// node whose neighbours are all in no group yet forms a group with these neighbours. Each remaining node
+/// then joins the group of its most strongly linked neighbour. Returns false if this hardly reduces the
+/// number of nodes.
 bool Bundle::aggregate(Level& fine)
 {
     const uint32_t count = fine.size();
@@ -203,8 +204,8 @@ void Bundle::invert_diagonals()
     for (Level& level : levels_) {
         level.inverse_diagonal.resize(level.size());
         for (uint32_t i = 0; i < level.size(); ++i) {
-            // A small value above zero makes the matrix invertible even for a group without inner conflict
-            // and without neighbours.
+            // A small value is added to the diagonal. So the matrix stays invertible even for a group of
+            // nodes whose links do not conflict and which has no neighbours.
             const double least = 1e-7 * (level.diagonal[i].x + level.diagonal[i].z) + 1e-300;
             const glm::dvec3 d = level.diagonal[i] + glm::dvec3(1.0, 0.0, 1.0) * (level.shifts[i] + least);
             const double determinant = std::max(d.x * d.z - d.y * d.y, 1e-14 * d.x * d.z);
@@ -238,8 +239,8 @@ void Bundle::apply(const Level& level, const Vectors& x, Vectors& out)
     }
 }
 
-/// Whether a level of the multigrid is coarse enough to be the last. It may stay large if the graph has many
-/// parts; its nodes then have hardly any neighbours.
+/// Whether a multigrid level is coarse enough to be the last level. A graph with many separate parts has a
+/// large last level, whose nodes have hardly any neighbours.
 bool Bundle::is_small(const Level& level)
 {
     return level.size() <= 1000;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Multigrid solver for fields of 2D vectors on a graph. Each link of the graph rotates or mirrors a vector.
+// Multigrid solver for 2D vector fields on a graph: one vector per node. Each link of the graph states by
+// which rotation or reflection the vectors at its two nodes should differ.
 
 #include <algorithm>
 #include <cstdint>
@@ -47,7 +48,7 @@ inline float strength(const Block& m)
     return m.xx * m.xx + m.xy * m.xy + m.yx * m.yx + m.yy * m.yy;
 }
 
-/// The rotation or reflection that is nearest to -m.
+/// Returns the orthogonal matrix (rotation or reflection) that is nearest to the matrix -m.
 inline Block nearest_orthogonal(const Block& m)
 {
     const glm::vec2 rotation(-m.xx - m.yy, m.xy - m.yx);
@@ -77,25 +78,26 @@ struct Link {
     bool mirrors = false;
 };
 
-/// The energy of a vector field on a graph, the sum over links of weight |z_to - T z_from|^2, as a matrix A.
-/// Each node has a mass (matrix M). Also contains a hierarchy of coarser versions: coarsening merges
-/// neighbours whose links agree.
+/// The energy of a vector field z on a graph, stored as a matrix A. The energy is the sum over all links of
+/// weight |z_to - T z_from|^2, where T is the link's rotation or reflection. Each node has a mass (matrix M).
+/// A hierarchy of coarser graphs merges neighbouring nodes whose links agree.
 class Bundle {
 public:
     Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<double> masses);
 
-    /// Solves (A + diag(pulls)) z = right by conjugate gradients, preconditioned by one multigrid cycle.
-    /// Stops when the residual has fallen to `tolerance` times its first value, or after 60 rounds. Each
-    /// connected part of the graph needs a node with a pull; otherwise its solution is not unique.
+    /// Solves (A + diag(pulls)) z = right for the vector field z, where A is the matrix of the energy. Uses
+    /// conjugate gradients, preconditioned by one multigrid cycle. Stops when the residual has fallen to
+    /// `tolerance` times its first value, or after 60 rounds. Each connected part of the graph needs at least
+    /// one node with a pull above zero; otherwise its solution is not unique.
     [[nodiscard]] Vectors solve(const std::vector<double>& pulls, const Vectors& right, double tolerance);
 
-    /// Finds a smooth field that is drawn towards `targets`: solves the system with right = diag(pulls)
-    /// targets.
+    /// Finds a smooth vector field that is close to `targets` at the nodes with a large value in `pulls`:
+    /// calls solve() with the right-hand side diag(pulls) targets.
     [[nodiscard]] Vectors attract(const std::vector<double>& pulls, const Vectors& targets, double tolerance);
 
     /// Returns a field of unit vectors with nearly the least energy. Alternates diffusion and normalization
-    /// on each level, from the coarsest to the finest. Diffusion reaches about as far as `reach`, but at
-    /// least over a few nodes; `reach` squared has the unit of the masses. Starts from random vectors with
+    /// on each level, from the coarsest to the finest. Diffusion smooths over about the distance `reach`, but
+    /// at least over a few nodes. `reach` squared has the unit of the masses. Starts from random vectors with
     /// `seed`.
     [[nodiscard]] Vectors relax(double reach, uint32_t seed);
 
@@ -109,7 +111,7 @@ private:
         std::vector<double> masses;
         std::vector<double> shifts; ///< values that are added to the diagonal
         std::vector<glm::dvec3> inverse_diagonal;
-        /// For each node: the number of its group, a node in the next coarser level.
+        /// For each node: the number of its group, which is a node of the next coarser level.
         std::vector<uint32_t> coarse;
         /// For each node: orthogonal matrix that maps its group's vector to the node's vector.
         std::vector<Block> from_coarse;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Computes the direction field of strokes. Fields of n-fold symmetry are represented by the n-th power of
-// complex numbers and attracted to curvature: Knoeppel, Crane, Pinkall and Schroeder, "Globally Optimal
-// Direction Fields", SIGGRAPH 2013. Finds the cross of both principal directions first, then selects one of
-// its two lines. Palacios and Zhang, "Rotational Symmetry Field Design on Surfaces", SIGGRAPH 2007, found
-// that fields smoothed as crosses have fewer unwanted singularities.
+// Computes the direction field of strokes. Direction fields with n-fold symmetry are represented by the n-th
+// power of complex numbers, and are aligned with the surface's curvature: Knoeppel, Crane, Pinkall and
+// Schroeder, "Globally Optimal Direction Fields", SIGGRAPH 2013. First finds a cross at each vertex (both
+// principal directions), then selects one of the cross's two lines. Palacios and Zhang, "Rotational Symmetry
+// Field Design on Surfaces", SIGGRAPH 2007, found that fields smoothed as crosses have fewer unwanted
+// singularities.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +25,8 @@ using Complex = std::complex<double>;
 /// Curvature of the surface at a vertex, in 1 / radius of the mesh; positive on a sphere.
 struct Curvature {
     double mean = 0.0; ///< mean curvature (k1 + k2) / 2
-    /// Complex number of length (k1 - k2) / 2, at twice the angle of k1's direction in the tangent plane.
+    /// Difference of the principal curvatures k1 and k2, as a complex number. Its absolute value is (k1 - k2)
+    /// / 2, its angle is twice the angle of k1's direction in the tangent plane.
     Complex deviator = 0.0;
 };
 
@@ -89,16 +91,16 @@ std::vector<Curvature> find_curvature(const Mesh& mesh, double reach)
 
 /// Tolerance of the solver's residuals; directions need no higher accuracy.
 constexpr double tolerance = 1e-2;
-/// Strength per area with which strokes are pulled to be level, in 1 / radius^2 of the mesh.
+/// Weight of level (horizontal) strokes per area of the surface, in 1 / radius^2 of the mesh.
 constexpr double level_pull = 0.05;
-/// Strength per length with which strokes are pulled along creases, in 1 / radius of the mesh.
+/// Weight of strokes that follow a crease, per length of the crease, in 1 / radius of the mesh.
 constexpr double crease_pull = 0.2;
 /// Weight of equal crosses (pairs of principal directions) on both sides of a crease; an ordinary edge has a
 /// weight of about 0.6.
 constexpr double cross_weight = 0.005;
-/// Weight of choosing the same line of the cross on both sides of a crease.
+/// Weight for choosing, on both sides of a crease, the same line of the cross (pair of principal directions).
 constexpr double crease_vote = 0.002;
-/// A surface with less curvature counts as flat, in 1 / radius of the mesh.
+/// Curvature in 1 / radius of the mesh; a surface with less curvature counts as flat.
 constexpr double flat_below = 0.15;
 
 struct Pull {
@@ -174,7 +176,8 @@ Complex complex_of(glm::dvec2 v)
     return {v.x, v.y};
 }
 
-/// How clearly a curvature distinguishes its two principal directions on a curved surface, from 0 to 1.
+/// Returns how clearly the two principal directions of a curved surface differ: from 0 (equal curvatures) to
+/// 1.
 double distinctness(const Curvature& k)
 {
     const double deviation = std::abs(k.deviator);
@@ -184,8 +187,8 @@ double distinctness(const Curvature& k)
                       : 0.0;
 }
 
-/// Which principal curvature has the larger absolute value: 1 if the greater curvature, -1 if the lesser
-/// curvature, 0 if both are equal.
+/// Compares the absolute values of the principal curvatures k1 and k2. Returns 1 if that of the greater
+/// curvature k1 is larger, -1 if that of k2 is larger, 0 if both are equal.
 double preference(const Curvature& k)
 {
     const double deviation = std::abs(k.deviator);
@@ -259,8 +262,8 @@ Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
     return make_bundle(mesh, 2.0, false).attract(along_cross.strengths, along_cross.targets, tolerance);
 }
 
-/// Gives neighbouring lines the same sense (one of a line's two directions) as far as possible. Visits the
-/// vertices breadth first.
+/// Chooses for each line one of its two directions, so that neighbouring lines point the same way as far as
+/// possible. Visits the vertices breadth first.
 void agree_on_sense(const Mesh& mesh, Directions& directions)
 {
     const size_t count = mesh.points.size();

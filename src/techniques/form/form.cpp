@@ -24,7 +24,8 @@ double period_in_radii(float period_m, double radius_m)
     return period > 0.0 && std::isfinite(period) ? std::clamp(period, 0.002, 4.0) : 0.25;
 }
 
-/// Phases of strokes on a solid that is cut by two families of parallel planes.
+/// Stroke coordinates of a point, for meshes without a usable surface: the point's positions between the
+/// planes of two sets of parallel planes.
 glm::vec2 slice(const glm::vec3& position_m, const glm::dvec3& center_m, double period_m)
 {
     const glm::dvec3 away = (glm::dvec3(position_m) - center_m) / period_m;

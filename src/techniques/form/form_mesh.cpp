@@ -159,8 +159,9 @@ private:
         }
     }
 
-    /// Joins two triangles of equal orientation that share an edge. If more triangles share the edge, as at
-    /// the rim of a sheet with front and back, joins each triangle to the best continuation.
+    /// Joins two triangles of equal orientation that share an edge. If more than two triangles share the
+    /// edge, as at the rim of a sheet with front and back, joins each triangle to the one that continues it
+    /// best.
     void pair_up(std::vector<uint32_t>& around)
     {
         constexpr size_t most_triangles = 16;
@@ -196,8 +197,8 @@ private:
         return glm::dot(n_a, n_b) / (glm::length(n_a) * glm::length(n_b));
     }
 
-    /// Makes one vertex of each fan of connected triangles around a point, and unfolds the fan into the
-    /// plane.
+    /// Makes one vertex for each fan (triangles around a point that are connected by edges), and computes the
+    /// fan's angles in the tangent plane.
     void split_vertices()
     {
         const size_t count = mesh_.twins.size();

@@ -30,14 +30,14 @@ struct Edge {
     double angle_at_to = 0.0;   ///< angle at which the edge leaves `to`
 };
 
-/// Links two vertices at the same place, one on either side of a crease. A direction at `from`, turned by
-/// `turn`, has the same angle to the crease at `to`.
+/// Links two vertices at the same place, one on either side of a crease. A direction at the vertex `from`
+/// that is rotated by `turn` has the same angle to the crease at the vertex `to`.
 struct CreaseLink {
     uint32_t from = 0;
     uint32_t to = 0;
     double turn = 0.0;
     double angle_at_from = 0.0; ///< angle of the crease in the tangent plane of `from`
-    double length = 0.0;        ///< length of the half of the crease that belongs to this end
+    double length = 0.0;        ///< length of the half of the crease edge at this end
 };
 
 /// The triangles of a manifold surface with border. It is cut at creases sharper than 45 degrees, at edges of
@@ -92,9 +92,9 @@ struct Directions {
         link_turns; ///< for each crease link: 1 if the directions at its two ends point in opposite senses
 };
 
-/// Finds the angle of a line at each vertex, so that the line field is nearly as smooth as possible. Senses
-/// of the lines (one of two directions) change across few edges. `reach` is the distance over which curvature
-/// has influence, in radii of the mesh. Cost: linear.
+/// Finds the angle of a line at each vertex, so that the line field is nearly as smooth as possible. The
+/// chosen senses of the lines (one of two directions) change across few edges. `reach` is the distance over
+/// which curvature is averaged, in radii of the mesh. Cost: linear.
 [[nodiscard]] Directions find_directions(const Mesh& mesh, const glm::dvec3& up, double reach);
 
 /// Index of the line field in a triangle: a multiple of 1/2. The triangle is singular if the index is not 0.

@@ -4,10 +4,9 @@
 // vanish in any part of a mesh.
 //
 // Spacing: a unit field n, stretched by e^s, is the gradient of a function if the curl of e^s n is zero. That
-// is the case if s grows along the stripes (perpendicular to n) as the field turns. With J a quarter turn and
-// theta the angle of n, the condition is
-//     Jn . grad s = n . grad theta.
-// The condition is solved by least squares, with a smaller penalty on change across the stripes.
+// is the case if s increases along the stripes (perpendicular to n) as the field turns. With J a quarter turn
+// and theta the angle of n, the condition is Jn . grad s = n . grad theta. The condition is solved by least
+// squares, with a smaller penalty on change across the stripes.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -72,9 +71,8 @@ Flat lay_flat(const Mesh& mesh, const Directions& directions, double turn_rad, u
     return flat;
 }
 
-/// Relative density (1/4 to 4) at each vertex of the stripes whose phase grows along the line field turned by
-/// `turn_rad`. Stripes get closer where their lines converge, so a drawing that thins out crowded strokes
-/// needs no correction. Cost: linear.
+/// Returns the relative density of stripes at each vertex, from 1/4 to 4. The stripes are perpendicular to
+/// the line field rotated by `turn_rad`. Stripes are denser where their lines converge. Cost: linear.
 std::vector<double> find_closeness(const Mesh& mesh, const Directions& directions, double turn_rad)
 {
     const size_t count = mesh.points.size();
@@ -118,8 +116,8 @@ std::vector<double> find_closeness(const Mesh& mesh, const Directions& direction
 /// Weight of equal phases on both sides of a crease; an ordinary edge has a weight of about 0.6.
 constexpr double agreement_weight = 0.6;
 
-/// The phase that is gained along an edge, in periods. Its sign is for the sense of the line at the start of
-/// the edge.
+/// Increase of the stripes' phase along an edge, in periods. The sign is relative to the sense of the line at
+/// the start of the edge.
 struct Gain {
     double wanted = 0.0;
     double real = 0.0;
@@ -192,7 +190,8 @@ private:
         }
     }
 
-    /// The phase that is gained along a half-edge, for the sense of the line at the start of the half-edge.
+    /// Increase of the stripes' phase along a half-edge, relative to the sense of the line at the start of
+    /// the half-edge.
     double gain(uint32_t half_edge) const
     {
         const uint32_t e = mesh_.edge_of[half_edge];
@@ -207,9 +206,10 @@ private:
         return directions_.turns[mesh_.edge_of[half_edge]] != 0 ? -1.0 : 1.0;
     }
 
-    /// Computes the phases of a triangle from one corner along its two edges; the third edge takes the
-    /// mismatch. Chooses the corner with the least change of phase over the triangle. At a singularity,
-    /// chooses the corner whose opposite edge is shortest, so that the signs are equal for both coordinates.
+    /// Computes the phases at a triangle's corners from one corner along two edges. On the third edge, the
+    /// phases may then not agree with the neighbouring triangle. Chooses the corner with the least change of
+    /// phase over the triangle. At a singularity, chooses the corner whose opposite edge is shortest, so that
+    /// the signs are equal for both coordinates.
     void paint_triangle(uint32_t t)
     {
         const uint32_t h = 3 * t;
@@ -227,8 +227,8 @@ private:
             sense[k] = 1.0;
             corner[next_corner(onward) % 3] = corner[k] + gain(onward);
             sense[next_corner(onward) % 3] = sign(onward);
-            // The half-edge `back` leads into the corner. Seen from the far end, the phase gained along it
-            // has the opposite sign.
+            // The half-edge `back` leads into the corner. In the opposite direction, the increase of the
+            // phase along the half-edge has the opposite sign.
             corner[back % 3] = corner[k] - sign(back) * gain(back);
             sense[back % 3] = sign(back);
             const double change = std::abs(corner[0] - corner[1]) + std::abs(corner[1] - corner[2]) +

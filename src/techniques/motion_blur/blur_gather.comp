@@ -45,14 +45,16 @@ float time_share(float length_px, float away_px)
     return clamp(length_px + 0.5 - away_px, 0.0, 1.0) / (2.0 * max(length_px, 0.5));
 }
 
-// How certainly the first depth is in front of the second, from 0 to 1; 0 if the first is infinitely far.
+// Returns how certainly the reversed depth `depth` is in front of `other`, from 0 to 1; 0 if `depth` is
+// infinitely far.
 float is_before(float depth, float other)
 {
     return other < depth ? smoothstep(0.02, 0.06, 1.0 - other / depth) : 0.0;
 }
 
 struct Passing {
-    // Sum of the surfaces in front of the pixel's own surface, weighted by their time at the pixel.
+    // Sum of the surfaces in front of the pixel's own surface, weighted by the share of the exposure during
+    // which they cover the pixel.
     LayerSample before;
     float before_time;
     LayerSample there; // sum of the pixel's own surface and the surfaces behind it
@@ -66,7 +68,7 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
     int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most) : 0;
     vec2 forward = way / max(reach_px, 1e-6);
     float step_px = (2.0 * reach_px + 1.0) / float(max(taps, 1));
-    // A do loop runs at least once. Without motion, it evaluates one sample with the weight 0.
+    // The do loop runs at least once. Without motion, that one sample has the weight 0.
     int i = 0;
     do {
         float along_px = (float(i) + 0.5) * step_px - reach_px - 0.5;
@@ -82,7 +84,8 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
         float before = is_before(depth, own_depth);
         float behind = is_before(own_depth, depth);
         float weight = is_there && taps > 0 ? step_px : 0.0;
-        // Only a surface that moves along this path can reach the pixel from the sample's position.
+        // Only a surface that moves in the direction of the sampled path can reach the pixel from the
+        // sample's position.
         float same_way = abs(dot(tap_way, forward)) / max(tap_px, 1e-6);
         float moved = tap_px > 0.0 ? same_way * same_way * time_share(tap_px, away_px) * weight : 0.0;
         float uncovered = own_px > 0.0 ? time_share(own_px, away_px) * weight : 0.0;
@@ -119,8 +122,8 @@ void main()
     float own_depth = texelFetch(owner_depth_image, pixel, 0).x;
     bool is_moving = own_way != vec2(0.0);
     Passing passing = Passing(no_sample, 0.0, no_sample, 0.0);
-    // Other surfaces reach the pixel along the longest motion in the pixel's tile. The pixel's own surface
-    // moves along its own motion.
+    // The pixel is blurred along two paths: the longest motion in its tile, for other surfaces that pass over
+    // the pixel, and the motion of the pixel's own surface. One path is enough if both are nearly equal.
     bool is_same = length_of(longest - own_way) < 0.05 * length_of(longest);
     int most = is_same || !is_moving ? most_taps : most_taps_of_two;
     pass_along(pixel, longest, most, own_way, own_depth, passing);

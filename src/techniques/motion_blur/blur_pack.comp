@@ -15,10 +15,10 @@ layout(binding = 2) uniform sampler2D wash_image;
 layout(binding = 3) uniform sampler2D hatch_image;
 layout(binding = 4) uniform sampler2D line_image;
 layout(binding = 5) uniform sampler2D sky_ink_image;
-// Motion without stretching; only read in the mode `stretched`.
+// Motion of the surfaces before shapes are stretched; read only in the style's mode `stretched`.
 layout(binding = 6) uniform sampler2D own_motion_image;
 layout(binding = 7, rgba32ui) writeonly uniform uimage2D out_texel;
-// Depth of the surface; at a pixel of a line, of the surface to which the line belongs.
+// Depth of the visible surface. At a pixel of a contour line, depth of the surface to which the line belongs.
 layout(binding = 8, r32f) writeonly uniform image2D out_depth;
 layout(binding = 9, r16f) writeonly uniform image2D out_hatch; // hatching, including the sky's strokes
 
@@ -54,8 +54,8 @@ void main()
     LineOwner owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
     vec2 way = half_way(texelFetch(motion_image, owner.pixel, 0));
     if (is_stretched && way == vec2(0.0)) {
-        // A pixel that a stretched shape has left is still blurred by its own motion; otherwise it would stay
-        // sharp.
+        // The displaced, stretched shape may not cover a pixel of the moving surface. Such a pixel is blurred
+        // by the surface's own motion; otherwise it would stay sharp.
         way = half_way(texelFetch(own_motion_image, owner.pixel, 0));
     }
     imageStore(out_texel, pixel,

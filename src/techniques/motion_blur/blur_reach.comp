@@ -38,8 +38,8 @@ void main()
     do {
         TileAbout about = tile_about(tile, reach, i, count);
         vec2 way = texelFetch(tile_image, about.tile, 0).xy;
-        // A displacement reaches this tile from another tile if it spans the gap between the two tiles along
-        // each axis.
+        // A displacement in another tile reaches this tile if it is at least as long as the gap between the
+        // two tiles, along each axis.
         bool gets_here = all(greaterThanEqual(abs(way), vec2(about.between * int(blur_tile_px))));
         longest = gets_here && dot(way, way) > dot(longest, longest) ? way : longest;
     } while (++i < tiles);

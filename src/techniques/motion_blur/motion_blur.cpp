@@ -95,8 +95,8 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
     return table;
 }
 
-// The seeds of smear strokes are thinned out like a hard-core point process: Matérn, "Spatial Variation",
-// 1960, second method. In this method, each point depends only on the points around it.
+// The seeds (possible starts) of smear strokes are thinned out to a minimum distance by the second method of
+// Matérn, "Spatial Variation", 1960. In this method, each point depends only on the points around it.
 
 namespace {
 
@@ -108,8 +108,8 @@ float unit_float(uint32_t bits)
     return static_cast<float>(bits >> 8U) / 16777216.0F;
 }
 
-/// Adds `count` seeds of smear strokes, one in each equal part of the area of a draw call. `of_draw` lists
-/// the triangles of the draw call.
+/// Adds `count` seeds (possible starts) of smear strokes, one in each of `count` equal parts of a draw call's
+/// area. `of_draw` lists the triangles of the draw call.
 void spread_over(std::span<const uint32_t> of_draw, std::span<const glm::uvec4> triangles,
                  std::span<const glm::vec3> places, uint32_t count, std::vector<shared::SmearSeed>& seeds)
 {
@@ -253,7 +253,8 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
     return packed;
 }
 
-/// The longest displacements that reach each tile, and the list of tiles to draw.
+/// The longest displacement during half the exposure that reaches each tile of the page, and the list of
+/// tiles to draw.
 struct Reach {
     gpu::ImageId ways;
     gpu::BufferId tiles; ///< list of tiles, see shaders/tiles.glsl.h

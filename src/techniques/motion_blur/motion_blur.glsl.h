@@ -9,7 +9,7 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Variant bits (features that are compiled into a shader) of the motion blur shaders.
+// Variant bits: each bit compiles one feature into a motion blur shader.
 SHARED_CONSTANT uint blur_has_sky = 1U << 0U; // the sky's strokes are drawn where no surface is visible
 SHARED_CONSTANT uint blur_shows_velocity = 1U << 1U;
 SHARED_CONSTANT uint blur_is_stretched = 1U << 2U; // shapes are stretched along their motion
@@ -23,7 +23,7 @@ struct MotionBlurConstants {
     uvec2 size_px;
     uvec2 window_min_px; // corner of the window; pixels outside of the window are never visible
     uvec2 window_max_px;
-    float scale;         // factor from motion to the displacement in half the exposure
+    float scale;         // motion times this factor is the displacement in half the exposure
     float most_px;       // upper limit of the displacement in half the exposure
     float line_reach_px; // largest distance of a line's pixel from the edge that the line follows
     float cell_px;       // side of a cell of the page; each cell has at most one speed line
@@ -35,7 +35,7 @@ struct MotionBlurConstants {
     vec3 line_ink; // linear colour of the speed lines
 };
 
-// Side of the blocks of the page for which smear strokes are listed.
+// Side in pixels of the blocks of the page; each block has a list of its smear strokes.
 SHARED_CONSTANT uint smear_block_px = 64U;
 SHARED_CONSTANT uint most_smear_strokes = 63U; // largest number of smear strokes in the list of a block
 // Largest sideways bend of a smear stroke, as a share of its length.
@@ -45,7 +45,7 @@ SHARED_CONSTANT float smear_bow = 0.03F;
 struct SmearSeed {
     uint triangle;
     vec2 weight; // barycentric weights of the triangle's second and third corner
-    uint number; // number that differs for each seed and never changes
+    uint number; // number of the seed: unique, and equal in all frames
 };
 
 // A smear stroke; stored in two texels. A stroke with way_px = 0 is not drawn.
@@ -55,13 +55,13 @@ struct SmearStroke {
     float half_px;
     float depth; // reversed depth of the body (1 at the near plane)
     uint random;
-    float least_px; // a pixel belongs to the body if it moves farther than this along the body's motion
+    float least_px; // a pixel that moves farther than this along the motion belongs to the body
 };
 
 struct SmearConstants {
     mat4 clip_from_anchor_before;
     uvec2 size_px;
-    float scale;        // factor from motion to the displacement in half the exposure
+    float scale;        // motion times this factor is the displacement in half the exposure
     float most_px;      // upper limit of the displacement in half the exposure
     float length_share; // length of smear strokes, as a multiple of the displacement
     float spacing_px;   // distance between smear strokes, across the motion

@@ -46,9 +46,9 @@ struct MotionBlurStyle {
 /// draw calls. Each draw call has at least four seeds, so a scene may have up to four times this number.
 inline constexpr uint32_t smear_seed_count = 2048;
 
-/// Spreads seeds of smear strokes over each draw of a scene by area, in the pose `places`. `of` lists the
-/// triangles to use, and `triangles` has three vertices and a draw per triangle. The result depends only on
-/// the triangles and the pose. Cost: linear.
+/// Distributes seeds (possible starts) of smear strokes evenly over the area of each draw (mesh primitive) of
+/// a scene, in the pose `places`. `of` lists the triangles to use, and `triangles` has three vertices and a
+/// draw per triangle. The result depends only on the triangles and the pose. Cost: linear.
 [[nodiscard]] std::vector<shared::SmearSeed> spread_seeds(std::span<const uint32_t> of,
                                                           std::span<const glm::uvec4> triangles,
                                                           std::span<const glm::vec3> places);
@@ -75,7 +75,8 @@ struct SmearScene {
 /// The inputs of smear strokes that come from the page.
 struct SmearPage {
     gpu::ImageId page; ///< packed layers, rgba32ui; the last word is the displacement in half the exposure
-    /// R32f: at a pixel of a line, reversed depth of the surface to which the line belongs.
+    /// R32f: reversed depth. At a pixel of a contour line, it is the depth of the surface to which the line
+    /// belongs.
     gpu::ImageId owner_depth;
     gpu::ImageId depth; ///< r32f: reversed depth (1 at the near plane)
     glm::uvec2 size_px{0};
@@ -85,12 +86,12 @@ struct SmearPage {
 [[nodiscard]] shared::SmearConstants smear_constants_of(const MotionBlurStyle& style, float scale,
                                                         float most_px, float pixels_per_mm);
 
-/// Draws smear strokes into `lines`. `lines` stays bit-identical if nothing moves, or if the scene has
-/// nothing that can move.
+/// Draws smear strokes into the ink layer `lines`. This layer stays bit-identical if nothing moves, or if the
+/// scene has nothing that can move.
 ///
-/// Cost    one thread per seed, which walks to the edge of its body; one per stroke, which is compared with
-///         all others; lists for blocks of 64 x 64 pixels; one pass over the page with at most 63 strokes
-///         per pixel
+/// Cost    one thread per seed, which walks to the edge of its body; one thread per stroke, which compares
+///         the stroke with all others; lists for blocks of 64 x 64 pixels; one pass over the page with at
+///         most 63 strokes per pixel
 [[nodiscard]] gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPage& page,
                                      gpu::ImageId lines, shared::SmearConstants constants);
 
@@ -109,18 +110,19 @@ struct SmearPage {
 struct VelocityShapeInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId posed_vertices_before;
-    /// Transforms previous positions so that this camera sees them where the previous camera did.
+    /// Transforms positions of the previous frame, so that the current camera sees them at the place where
+    /// the previous camera saw them.
     glm::mat4 now_from_before{1.0F};
-    float share = 0.0F; ///< factor from motion to the displacement in half the exposure
+    float share = 0.0F; ///< motion times this factor is the displacement in half the exposure
 };
 
-/// A shape that is drawn only for its velocities, with its current and its previous vertices.
+/// Vertices of a shape that is drawn only to get a velocity per pixel: its current and its previous vertices.
 struct VelocityShape {
     gpu::BufferId vertices;
     gpu::BufferId before;
 };
 
-/// Data that a mode of motion blur keeps between frames. Most modes keep none.
+/// Data that a mode of motion blur keeps between frames; most modes keep nothing.
 class Memory {
 public:
     Memory();
@@ -133,11 +135,11 @@ public:
     /// Returns whether the style's mode of motion blur needs a call of set_vertices() first.
     [[nodiscard]] bool lacks_vertices(const MotionBlurStyle& style) const;
 
-    /// Sets the posed vertices of the scene at rest. Cost: n log n.
+    /// Sets the vertices of the scene in the rest pose (without animation). Cost: n log n.
     void set_vertices(gpu::Device& device, std::span<const glm::vec3> places,
                       std::span<const uint32_t> draw_of_vertex);
 
-    /// Call this function when the scene has other vertices.
+    /// Forgets the stored vertices. Call this function when the scene's vertices have changed.
     void forget();
 
 private:
@@ -156,19 +158,21 @@ private:
 struct MotionBlurInputs {
     /// Rgba32f: motion in pixels to the right and down; previous reversed depth; 1 where the motion is known.
     gpu::ImageId motion;
-    /// Motion without stretching, used where `motion` is 0; differs from it only in the mode `stretched`.
+    /// Motion of the surfaces before shapes are stretched, used where `motion` is 0. The two images differ
+    /// only in the style's mode `stretched`.
     gpu::ImageId own_motion;
     gpu::ImageId depth;   ///< r32f: reversed depth (1 at the near plane), 0 where no surface is visible
     gpu::ImageId wash;    ///< rgba16f: transmittance of the paint
     gpu::ImageId hatch;   ///< r16f: coverage by hatching
     gpu::ImageId lines;   ///< rgba8: colour and coverage of lines
     gpu::ImageId sky_ink; ///< r16f: coverage by the sky's strokes
-    bool has_sky = false; ///< if false, `sky_ink` is not used
+    bool has_sky = false; ///< the sky has strokes; otherwise `sky_ink` is not used
     glm::uvec2 size_px{0};
     glm::uvec2 window_min_px{0}; ///< corner of the window; tiles outside of the window are left unchanged
     glm::uvec2 window_max_px{~0U};
     std::optional<SmearScene> smear; ///< inputs of smear strokes; set if the style draws them
-    /// Uses one thread per pixel of a tile instead of one per tile, which is faster on a GPU.
+    /// Finds the longest motion in a tile with one thread per pixel instead of one thread per tile; faster on
+    /// a GPU.
     bool by_groups = false;
 };
 
@@ -179,11 +183,10 @@ struct MotionBlurLayers {
     bool holds_sky = true; ///< after the blur, `hatch` contains the sky's strokes where no surface is visible
 };
 
-/// Blurs all layers together by the motion during the exposure, so that the layers composed on paper look
-/// like the blurred picture. Then draws speed lines and smear strokes over the layers.
+/// Blurs all layers together by the motion during the exposure, so that the finished picture looks blurred
+/// while the paper stays sharp. Then draws speed lines and smear strokes over the layers.
 ///
-/// Writes  the layers in place, or new layers; pixels that stand still and that nothing passes over stay
-///         bit-identical
+/// Writes  the layers in place, or new layers; still pixels over which nothing moves stay bit-identical
 /// Cost    one pass over the page for packing, two over its tiles, one over the tiles that a moving surface
 ///         passes over, with at most 64 texels per pixel; speed lines: three more passes with at most 16
 ///         lines per pixel; smear strokes: the cost of add_smear()

@@ -97,8 +97,8 @@ void main()
     vec2 back = -way / max(length_of(way), 1e-6);
     ivec2 last = ivec2(constants.size_px) - 1;
     ivec2 first = ivec2(floor(clamp(moving.xy, vec2(-1.0), vec2(constants.size_px))));
-    // The pixel must show the seed's own surface, or a surface that moves in the same way. Otherwise the seed
-    // is hidden.
+    // The pixel at the seed must show the seed's own surface, or a surface that moves in the same way.
+    // Otherwise the seed is hidden and has no stroke.
     vec2 off = way_at(clamp(first, ivec2(0), last)) - way;
     bool is_its = length_of(off) < 0.05 * length_of(way) + 0.25;
     bool goes_on = is_on_page(first) && is_its && length_of(way) > max(constants.from_px, blur_still_px);
@@ -130,8 +130,8 @@ void main()
     // The width of a stroke is limited by its length, so that a short stroke does not look like a tuft.
     stroke.half_px = min(0.5 * constants.width_px * (0.15 + 0.85 * weight * weight * weight),
                          length_of(stroke.way_px) / 14.0);
-    // A wide brush needs a body on which it can be set down. Where the edge is parallel to the motion, there
-    // is no such body.
+    // A smear stroke starts inside the body, as if a wide brush were set down there. If the body's edge is
+    // parallel to the motion, the start lies outside of the body, and the stroke is not drawn.
     vec2 begin = stroke.from_px - 3.0 * stroke.half_px * back;
     vec2 aside = stroke.half_px * vec2(-back.y, back.x);
     bool has_body = goes_along(way_at(clamp(ivec2(floor(begin + aside)), ivec2(0), last)), way) &&

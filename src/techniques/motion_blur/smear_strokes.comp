@@ -26,8 +26,8 @@ const float hair_px = 1.5; // approximate distance between the hairs of the brus
 const float most_hairs = 7.0;
 
 // Coverage of a place by a smear stroke. A stroke looks like a dry brush that is set down at the edge and
-// pulled away. The stroke is full at first. Then the brush's hairs separate, run dry in places and lift off
-// one by one.
+// pulled away. The stroke is full at first. Farther along, the brush's hairs separate, run dry in places and
+// end one by one.
 float stroke_cover(SmearStroke stroke, vec2 place)
 {
     float length_px = max(sqrt(dot(stroke.way_px, stroke.way_px)), 1e-6);
@@ -39,7 +39,7 @@ float stroke_cover(SmearStroke stroke, vec2 place)
     float aside_px = back.x * off.y - back.y * off.x - bent;
     float hairs = clamp(floor(2.0 * stroke.half_px / hair_px), 1.0, most_hairs);
     float apart_px = 2.0 * stroke.half_px / hairs;
-    // The hairs converge as the brush is lifted from the paper.
+    // Towards the end of the stroke, the brush's hairs converge, as when a brush is lifted from the paper.
     float spread = 1.0 - 0.5 * clamp(along, 0.0, 1.0);
     float cover = 0.0;
     for (int i = 0; i < int(hairs); ++i) {
@@ -55,7 +55,7 @@ float stroke_cover(SmearStroke stroke, vec2 place)
         float off_px = abs(aside_px - middle_px);
         cover = max(cover, clamp(max(half_px, 0.5) + 0.5 - off_px, 0.0, 1.0) * min(half_px / 0.5, 1.0));
     }
-    // The stroke begins inside the body, which hides the start of the stroke.
+    // The stroke begins up to three half widths before the edge, inside the body, which hides this start.
     return along_px > -3.0 * stroke.half_px - 1.0 && along < 1.0 ? cover : 0.0;
 }
 
@@ -71,7 +71,7 @@ void main()
     int count = int(texelFetch(lists, first).x);
     vec2 own_way = unpackHalf2x16(texelFetch(page_image, pixel, 0).w);
     float depth = texelFetch(depth_image, pixel, 0).x;
-    // Where a line extends beyond the edge of its body, smear strokes begin under the line.
+    // A contour line extends beyond the edge of its body. Smear strokes begin under such a line.
     bool is_beyond = depth < texelFetch(owner_depth_image, pixel, 0).x;
     float cover = 0.0;
     for (int i = 1; i <= count; ++i) {

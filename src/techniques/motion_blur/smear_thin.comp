@@ -31,8 +31,9 @@ void main()
     SmearStroke own = stroke_at(int(item));
     float length_px = sqrt(dot(own.way_px, own.way_px));
     vec2 back = own.way_px / max(length_px, 1e-6);
-    // The minimum distance is random, so that some strokes are close together and others leave a gap. Its
-    // mean is half the spacing, because each neighbour has its own minimum distance too.
+    // The minimum distance is random, so that some strokes are close together and others leave a gap. The
+    // mean of the minimum distance is half the spacing, because the neighbouring stroke has a minimum
+    // distance as well.
     float apart_px = constants.spacing_px * mix(0.15, 0.85, unit_float(hash(own.random, 4u)));
     int count = length_px > 0.0 ? int(constants.count) : 0;
     bool is_kept = length_px > 0.0;

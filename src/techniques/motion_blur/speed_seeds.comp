@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D page_image;
 layout(binding = 1) uniform sampler2D owner_depth_image;
 layout(binding = 2,
-       rgba32f) writeonly uniform image2D out_seed; // start and vector of the cell's speed line; 0 for none
+       rgba32f) writeonly uniform image2D out_seed; // start and vector of the cell's speed line; 0: no line
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -37,7 +37,8 @@ void main()
         ivec2 at = clamp(ivec2((vec2(cell) + part) * constants.cell_px), ivec2(0), last);
         vec2 way = unpackHalf2x16(texelFetch(page_image, at, 0).w);
         float length_px = sqrt(dot(way, way));
-        // The place that the body has just left must show a farther surface that does not move with the body.
+        // Just behind the body's trailing edge, the page must show a farther surface that does not move with
+        // the body.
         vec2 back = -way / max(length_px, 1e-6);
         ivec2 left = clamp(ivec2(floor(vec2(at) + 3.0 * back + 0.5)), ivec2(0), last);
         vec2 left_way = unpackHalf2x16(texelFetch(page_image, left, 0).w);

@@ -9,7 +9,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D seed_image;
-// One row of most_speed_lines entries per tile; an unused entry is 0.
+// Speed lines that touch each tile of the page: one row of most_speed_lines entries per tile. An unused entry
+// is 0.
 layout(binding = 1, rgba32f) writeonly uniform image2D out_line;
 
 layout(push_constant, scalar) uniform Constants

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs one pixel along its path. Each step follows the motion of the surface that is found at the
-// step's position.
+// One thread blurs one pixel along its path. The path is followed in steps; each step has the direction of
+// the motion at its position.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -17,7 +17,7 @@ layout(binding = 1) uniform usamplerBuffer posed_vertices_before;
 
 layout(scalar, binding = 2) readonly buffer Together
 {
-    // For each vertex: start and length of its list of vertices at the same position, in `members`.
+    // For each vertex: start and length, in `members`, of the list of vertices at the same position.
     uvec2 together[];
 };
 

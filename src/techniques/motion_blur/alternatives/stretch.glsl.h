@@ -7,7 +7,8 @@ namespace estampe::shared {
 #endif
 
 struct StretchConstants {
-    // Transforms previous positions so that this camera sees them where the previous camera did.
+    // Transforms positions of the previous frame, so that the current camera sees them at the place where the
+    // previous camera saw them.
     mat4 now_from_before;
     float share; // share of its motion by which a vertex is displaced
     uint vertex_count;

@@ -2,8 +2,8 @@
 #pragma once
 
 // Motion blur within the outline of moving objects: each pixel is blurred along its own motion. In the mode
-// `stretched`, meshes are also stretched along their motion, so that the pixels over which they pass get a
-// velocity.
+// `stretched`, meshes are also stretched along their motion, so that the pixels over which a mesh passes get
+// a velocity.
 
 #include <span>
 
@@ -13,7 +13,7 @@
 
 namespace estampe::motion_blur {
 
-/// Blurs each pixel along its own path, following the velocities that are found there. No object blurs over
+/// Blurs each pixel along a path that follows the velocities of the pixels on its way. No object blurs over
 /// its background.
 ///
 /// Reads   `page`: packed layers with the displacement in half the exposure
@@ -29,7 +29,8 @@ struct CoincidentList {
     std::vector<uint32_t> members;
 };
 
-/// Finds vertices at the same position. `places` are the posed vertices at rest. Cost: n log n.
+/// Finds vertices at the same position. `places` are the positions of the vertices in the rest pose (without
+/// animation). Cost: n log n.
 [[nodiscard]] CoincidentList list_coincident(std::span<const glm::vec3> places,
                                              std::span<const uint32_t> draw_of_vertex);
 
