@@ -82,7 +82,7 @@ float most_radius_px(const LensStyle& style, float pixels_per_mm)
     return 0.5F * style.largest_mm * pixels_per_mm;
 }
 
-/// Adds the passes of one lens over one page.
+/// Adds the passes that apply one lens (depth of field) to one page.
 class Passes {
 public:
     Passes(gpu::Graph& graph, const LensInputs& in, const LensStyle& style, shared::LensConstants lens)
@@ -239,8 +239,7 @@ std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensP
         return std::nullopt;
     }
     // The blur circle of an infinitely distant point, measured on the plane in focus, is as wide as the
-    // aperture. By similar triangles this agrees with circle_mm() on the sensor, at the image distance of the
-    // focus.
+    // aperture. By similar triangles, this equals the circle on the sensor that circle_mm() returns.
     const double aperture_m =
         1e-3 * static_cast<double>(style.focal_mm) / static_cast<double>(style.f_number);
     const double radius_px = 0.5 * aperture_m / (page.focus_m * page.pixel_at_one_m);
@@ -266,8 +265,8 @@ uint32_t reach_px(const LensStyle& style, float pixels_per_mm)
     if (!style.enabled) {
         return 0;
     }
-    // A tile of the page depends on the blur circles of its neighbours. These are stored in texels that are
-    // aligned to blocks of the page.
+    // A tile of the page depends on the blur circles of the neighbouring tiles. The circles are stored in
+    // texels that are aligned to blocks of the page, so the reach includes two blocks.
     return static_cast<uint32_t>(std::ceil(2.0F * most_radius_px(style, pixels_per_mm))) +
            2 * shared::lens_block_px;
 }

@@ -8,11 +8,11 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Variant bits (features that are compiled into a shader) of the lens shaders.
+// Variant bits: each bit compiles one feature into a lens shader.
 SHARED_CONSTANT uint lens_has_sky = 1U << 0U;   // the sky's strokes are drawn where no surface is visible
 SHARED_CONSTANT uint lens_wash_only = 1U << 1U; // hatching and lines are not blurred
 SHARED_CONSTANT uint lens_of_page = 1U << 2U;   // the pass makes the first mip level, from the page's pixels
-// Texels are plain means; near and far surfaces are not separated.
+// Texels of the mip levels are plain means; near and far surfaces are not separated.
 SHARED_CONSTANT uint lens_plain = 1U << 3U;
 SHARED_CONSTANT uint lens_has_blades = 1U << 4U;
 // The page was blurred in the mode `gather`, with a near and a far field.
@@ -35,12 +35,12 @@ SHARED_CONSTANT float lens_blurred_px = 1.75F;
 // page computes the same texels.
 struct LensConstants {
     uvec2 size_px;          // size of the drawn image
-    uvec2 pad_px;           // offset from the corner of a block of the page to the first drawn pixel
+    uvec2 pad_px;           // first drawn pixel, relative to the corner of its block of the page
     float radius_px;        // radius of the circle of confusion at infinite distance, in pixels
     float radius_per_depth; // decrease of the circle's radius per unit of reversed depth
     float most_px;          // upper limit of the radius of any circle of confusion
-    float blade_rad;        // angle that one blade of the aperture spans
-    float blade_turn_rad;   // rotation of the aperture
+    float blade_rad;        // angle of one side of the polygonal aperture, in radians
+    float blade_turn_rad;   // rotation of the aperture, in radians
     float blade_scale;      // factor that scales a disc to a polygon of the same area
     float line_reach_px;    // largest distance of a line's pixel from the edge that the line follows
     float widening;         // growth of a line's width per pixel of the circle's radius

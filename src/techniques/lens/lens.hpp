@@ -45,7 +45,7 @@ struct LensPage {
     double near_m = 0.01;
     double pixel_at_one_m = 0.001; ///< size of a pixel in metres, one metre from the eye
     float pixels_per_mm = 1.0F;    ///< pixels per millimetre of the page
-    float line_half_px = 1.0F;     ///< how far the widest line extends beyond the edge that it follows
+    float line_half_px = 1.0F;     ///< distance by which the widest line extends beyond its edge, in pixels
 };
 
 /// Returns the constants that all passes of the lens share, or none if the style has no lens.
@@ -60,7 +60,7 @@ struct LensInputs {
     gpu::ImageId hatch;    ///< r16f: coverage by hatching
     gpu::ImageId lines;    ///< rgba8: colour and coverage of lines
     gpu::ImageId sky_ink;  ///< r16f: coverage by the sky's strokes
-    bool has_sky = false;  ///< if false, `sky_ink` is not used
+    bool has_sky = false;  ///< the sky has strokes; otherwise `sky_ink` is not used
     glm::uvec2 from_px{0}; ///< position on the page of the first drawn pixel
     glm::uvec2 size_px{0};
 };
@@ -72,14 +72,14 @@ struct LensLayers {
     bool holds_sky = true; ///< after the blur, `hatch` contains the sky's strokes where no surface is visible
 };
 
-/// Blurs the layers as the lens sees them, either all layers together or only the wash. Composed on paper
-/// they look like the blurred picture, while the paper itself stays sharp.
+/// Blurs the layers by the lens, either all layers together or only the wash. The finished picture looks
+/// blurred, while the paper itself stays sharp.
 ///
-/// Writes  new layers; pixels whose circle is smaller than a pixel keep their bits unless a nearer surface
-///         blurs over them
+/// Writes  new layers; pixels whose blur circle is smaller than a pixel stay bit-identical, unless a nearer
+///         surface blurs over them
 /// Cost    gather: one pass over the page for packing, six over smaller and smaller pages, one over a quarter
-///         of the pixels with up to 98 texels each, one over the page with 17. separable: 26 texels per
-///         pixel; mips and sums: at most 20
+///         of the pixels with up to 98 texels each, one over the page with 17 texels each. separable: 26
+///         texels per pixel; mips and sums: at most 20
 [[nodiscard]] LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& style,
                                   shared::LensConstants lens);
 

@@ -62,7 +62,7 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
                 all(greaterThanEqual(at, ivec2(0))) && all(lessThan(uvec2(at), constants.size_px));
             LensTexel tap =
                 unpack_texel(texelFetch(page_image, clamp(at, ivec2(0), ivec2(constants.size_px) - 1), 0));
-            // A surface behind this pixel blurs no farther than the pixel's own blur circle.
+            // The blur of a surface behind this pixel is limited to the pixel's own blur circle.
             bool is_behind = tap.radius_px > own.radius_px;
             float radius = is_behind ? min(abs(tap.radius_px), own_radius) : abs(tap.radius_px);
             float share = disc_share(max(radius, lens_sharp_px), aperture_distance(vec2(aside)));
@@ -86,7 +86,7 @@ LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
     vec2 part = place - vec2(corner);
     ivec2 most = level_size(1) - 1;
     LensTexel sum = LensTexel(no_sample, 0.0, 1.0);
-    // A loop instead of an `if`, because CPU drivers execute both branches of an `if`.
+    // A loop replaces an `if` here, because CPU drivers execute both branches of an `if`.
     int rounds = is_wanted ? 1 : 0;
     for (int round = 0; round < rounds; ++round) {
         [[unroll]] for (int i = 0; i < 4; ++i)

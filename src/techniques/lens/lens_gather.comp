@@ -13,7 +13,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform usampler2D level_image;
 layout(binding = 1) uniform sampler2D reach_image;
-// Near field: sums of the layers; radius_px holds their coverage.
+// Near field (surfaces in front of the focus): sums of the layers. The member radius_px holds the field's
+// coverage.
 layout(binding = 2, rgba32ui) writeonly uniform uimage2D out_near;
 layout(binding = 3, rgba32ui) writeonly uniform uimage2D out_far;
 
@@ -91,7 +92,8 @@ LensTexel gather_near(ivec2 at, float own_px, float reach_px)
             seen_near += within * near_share(tap.texel.radius_px);
         }
     }
-    // Rounding must not open gaps: a near surface that fills the blur circle hides everything behind it.
+    // A near surface that fills the whole blur circle hides everything behind it. The lower limit prevents
+    // gaps from rounding.
     float hidden = min(max(cover, own_near * seen_near / max(seen, 1e-6)), 1.0);
     return LensTexel(scaled(sum, hidden / max(cover, 1e-6)), hidden, 1.0);
 }
@@ -112,7 +114,8 @@ LensTexel gather_far(ivec2 at, LensTexel own, float own_reach_px)
             float away = aperture_distance(tap.offset);
             float radius = disc_texels(min(tap.texel.radius_px, own.radius_px) * place.texels_per_px);
             float blurred = far_share(tap.texel.radius_px) * disc_share(radius, away);
-            // Behind near surfaces, the gap is filled with far texels rather than with sharp texels.
+            // The far field behind near surfaces is unknown. It is filled in from far texels if possible,
+            // otherwise from sharp texels.
             float far = far_share(tap.texel.radius_px);
             float sharp = hidden_sharp * (1.0 - far - near_share(tap.texel.radius_px));
             float beside = (far + own_near * sharp) / (1.0 + away * away * away * away);

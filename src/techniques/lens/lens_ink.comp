@@ -14,7 +14,8 @@ layout(binding = 1) uniform sampler2D hatch_image;
 layout(binding = 2) uniform sampler2D line_image;
 layout(binding = 3) uniform sampler2D sky_ink_image;
 layout(binding = 4) uniform usampler2D page_image;
-// The line that each pixel's row contributes, see lens_ink_across.comp.
+// For each pixel: the line that covers the pixel most, among the lines of the pixel's row, see
+// lens_ink_across.comp.
 layout(binding = 5) uniform usampler2D across_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_hatch;
 layout(binding = 7, rgba8) writeonly uniform image2D out_lines;

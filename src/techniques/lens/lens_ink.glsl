@@ -5,8 +5,8 @@
 // How ink changes out of focus: lines and strokes become wider and paler. The including shader must declare
 // `constants`.
 
-// By how much the radius of a blur circle exceeds that of a sharp point. `rest` is the last word of a packed
-// texel.
+// Returns by how much the radius of a blur circle exceeds the radius of a sharp point, in pixels. `rest` is
+// the last word of a packed texel.
 float wider_by(uint rest)
 {
     return max(abs(unpackHalf2x16(rest).x) - lens_sharp_px, 0.0);

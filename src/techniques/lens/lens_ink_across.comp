@@ -11,7 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D line_image;
 layout(binding = 1) uniform usampler2D page_image;
-// The line found: its colour and coverage; its radius and distance.
+// The line that was found: its colour and coverage in one word, its radius and distance in the other.
 layout(binding = 2, rg32ui) writeonly uniform uimage2D out_line;
 
 layout(push_constant, scalar) uniform Constants

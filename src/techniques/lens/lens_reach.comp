@@ -37,8 +37,8 @@ void main()
     do {
         TileAbout about = tile_about(tile, reach, i, count);
         vec2 largest = texelFetch(tile_image, about.tile, 0).xy;
-        // Sharp pixels depend on blurred neighbours, and blurred pixels on sharp neighbours. So neighbouring
-        // tiles count too.
+        // The largest blur circle is also searched in neighbouring tiles, because a pixel may depend on
+        // blurred pixels there.
         beside = all(lessThanEqual(about.away, ivec2(1))) ? max(beside, largest.y) : beside;
         int between_px = max(about.between.x, about.between.y) * int(lens_tile_px);
         near = largest.x >= float(between_px) ? max(near, largest.x) : near;

@@ -44,7 +44,8 @@ ivec2 level_size(int level)
     return padded_px() >> level;
 }
 
-// The share of a surface that belongs to the near field. The near field blurs over all that lies behind it.
+// Share of a surface that belongs to the near field (surfaces in front of the focus, which blur over
+// everything behind them).
 float near_share(float radius_px)
 {
     return smoothstep(lens_nearly_px, lens_blurred_px, -radius_px);
@@ -55,14 +56,15 @@ float far_share(float radius_px)
     return smoothstep(lens_nearly_px, lens_blurred_px, radius_px);
 }
 
-// The radius that a disc blur needs if the texels that it reads are themselves means over squares.
+// Radius of a disc blur over texels that are means of squares of pixels. The means already blur a little, so
+// the radius is reduced.
 float disc_texels(float radius_texels)
 {
     return sqrt(max(radius_texels * radius_texels - 0.67, 0.25));
 }
 
-// Distance of a sampled texel from the centre of the aperture, scaled so that a polygonal aperture counts as
-// a disc.
+// Distance of a sampled texel from the centre of the blur. It is scaled so that a polygonal aperture can be
+// treated as a disc.
 float aperture_distance(vec2 offset)
 {
     float away = sqrt(dot(offset, offset));
@@ -74,7 +76,8 @@ float aperture_distance(vec2 offset)
     return away;
 }
 
-// The share of a texel's light that falls on a place at distance `away`. Both lengths are in texels.
+// Share of a texel's light that falls on a place at distance `away`, if the light is spread over a disc of
+// radius `radius`. Both lengths are in texels.
 float disc_share(float radius, float away)
 {
     return clamp(radius + 0.5 - away, 0.0, 1.0) / (3.14159265 * (radius * radius + 1.0 / 12.0));

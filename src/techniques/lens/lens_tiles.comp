@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread finds two radii of one tile: the largest blur circle in front of the plane in focus, and the
-// largest of all.
+// largest blur circle of all surfaces.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -11,7 +11,7 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint no_lightmap = 0xffffffffU;
 
-// Which lightmap a draw (one primitive of a mesh in one place) has.
+// The lightmap of one draw (one primitive of a mesh in one place).
 struct LightmapSlot {
     uint layer; // layer of the image array of lightmaps; no_lightmap if the draw has none
     float strength;

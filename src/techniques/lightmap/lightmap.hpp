@@ -36,9 +36,9 @@ struct MapBuffers {
     gpu::Image maps; ///< image array in format rgba16f, one layer per lightmap
 };
 
-/// Uploads lightmaps. All are resized to the size of the largest, and have only one mip level, because the
-/// charts of a lightmap are too close together for more. Throws Error if the lightmaps exceed the device's
-/// limits. Cost: about 30 ns per texel.
+/// Uploads lightmaps. All lightmaps are resized to the size of the largest lightmap, and have only one mip
+/// level: in coarser levels, neighbouring charts of a lightmap would mix. Throws Error if the lightmaps
+/// exceed the device's limits. Cost: about 30 ns per texel.
 [[nodiscard]] MapBuffers upload_maps(gpu::Device& device, const MapData& data);
 
 struct LightmapInputs {

@@ -33,7 +33,7 @@ vec4 vertex_before(uint vertex)
     return vec4(uintBitsToFloat(texelFetch(vertex_texels_before, int(vertex)).xyz), 1.0);
 }
 
-// A homogeneous point of anchor space, in this frame and in the previous frame.
+// A point in homogeneous coordinates of anchor space, in this frame and in the previous frame.
 struct Point {
     vec4 now;
     vec4 before;

@@ -23,9 +23,9 @@ struct MotionInputs {
 /// Computes the exact motion of the surface at each pixel: interpolates the vertices of the visible triangle
 /// as posed at the other moment. The background moves as if it were infinitely far away.
 ///
-/// Writes  rgba32f: motion in pixels to the right and down; reversed depth of the point at the other moment,
-///         0 at infinity; and 1, or 0 if the point was behind the eye. If the picture of the other moment
-///         has another depth at that place, the point was hidden there
+/// Writes  rgba32f: motion in pixels to the right and down; reversed depth of the point at the other moment
+///         (0 at infinity); and 1 if the motion is known, 0 if the point was behind the eye. If the picture
+///         of the other moment has another depth at that place, the point was hidden there
 /// Cost    one full-screen dispatch that gathers three vertices twice per pixel and writes 16 bytes per pixel
 [[nodiscard]] gpu::ImageId add_motion(gpu::Graph& graph, const MotionInputs& in);
 

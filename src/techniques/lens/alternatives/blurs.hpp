@@ -17,7 +17,7 @@ namespace estampe::lens {
                                          const shared::LensConstants& lens);
 
 /// Blurs the page by reading its mip levels: the level whose texels are as large as the blur circle, or the
-/// sum of all levels up to it. Both modes blur across edges.
+/// sum of all levels up to that level. Both modes blur across edges.
 ///
 /// Reads   `levels`: plain means of the page
 /// Returns rgba32ui: the blurred page

@@ -31,8 +31,8 @@ void main()
         return;
     }
     LensTexel own = unpack_texel(texelFetch(page_image, pixel, 0));
-    // The weights are a Gaussian with the standard deviation of the disc. It ends where an eighth of its peak
-    // is left.
+    // The weights are a Gaussian curve with the standard deviation of the blur circle. The curve is cut off
+    // where it falls to an eighth of its peak.
     float spread_px = 0.5 * abs(own.radius_px);
     float step_px = 2.0 * spread_px / float(taps_aside);
     LayerSample sum = no_sample;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs one pixel by reading mip levels of the page: either the level whose texels are as large as
-// the pixel's blur circle, or all levels up to it. The sum of all levels gives a rounder blur.
+// One thread blurs one pixel by reading mip levels of the page: either the one level whose texels are as
+// large as the pixel's blur circle, or the sum of all levels up to that one. The sum of all levels gives a
+// rounder blur.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
