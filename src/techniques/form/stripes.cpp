@@ -3,10 +3,11 @@
 // unit-length variant: it minimises the energy with |z| = 1 everywhere, so that the eigenvector does not
 // vanish in any part of a mesh.
 //
-// Spacing: a unit field n, stretched by e^s, is the gradient of a function if the curl of e^s n is zero. That
-// is the case if s increases along the stripes (perpendicular to n) as the field turns. With J a quarter turn
-// and theta the angle of n, the condition is Jn . grad s = n . grad theta. The condition is solved by least
-// squares, with a smaller penalty on change across the stripes.
+// Spacing of the stripes: their phase is a function whose gradient is a unit field n times e^s. Such a
+// function exists if the curl of e^s n is zero. That is the case if s increases along the stripes
+// (perpendicular to n) as the field turns: Jn . grad s = n . grad theta, where J is a quarter turn and theta
+// is the angle of n. This condition on s is solved by least squares, with a smaller penalty on change across
+// the stripes.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -294,7 +295,7 @@ private:
 
     const Mesh& mesh_;
     const Directions& directions_;
-    std::vector<Gain> gains_;    ///< phase gained along each edge
+    std::vector<Gain> gains_;    ///< increase of the stripes' phase along each edge
     std::vector<double> phases_; ///< phase at each vertex, in periods
     Stripes stripes_;
     /// For each corner of a triangle: sign of the triangle's phases relative to those of the vertex.

@@ -181,7 +181,6 @@ public:
     }
 
 private:
-    /// Images that a blur produces.
     struct Blurred {
         gpu::ImageId near;
         gpu::ImageId far;

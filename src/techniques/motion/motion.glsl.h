@@ -6,7 +6,7 @@
 namespace estampe::shared {
 #endif
 
-// The current and the previous camera, without the subpixel shift of a sample.
+// The current and the previous camera, without the subpixel shift of the antialiasing sample.
 struct MotionConstants {
     mat4 clip_from_anchor;
     mat4 clip_from_anchor_before;

@@ -215,10 +215,10 @@ gpu::ImageId add_smear(gpu::Graph& graph, const SmearScene& scene, const SmearPa
     return drawn;
 }
 
-// Blur along the longest motion of tiles: McGuire, Hennessy, Bukowski and Osman, "A Reconstruction Filter for
-// Plausible Motion Blur", I3D 2012. Blur along two motions: Guertin, McGuire and Nowrouzezahrai, "A Fast and
-// Stable Feature-Aware Motion Blur Filter", HPG 2014. Separate foreground and background: Jimenez, "Next
-// Generation Post Processing in Call of Duty", SIGGRAPH 2014.
+// Sources of the motion blur. Blur along the longest motion of tiles: McGuire, Hennessy, Bukowski and Osman,
+// "A Reconstruction Filter for Plausible Motion Blur", I3D 2012. Blur along two motions: Guertin, McGuire and
+// Nowrouzezahrai, "A Fast and Stable Feature-Aware Motion Blur Filter", HPG 2014. Separate foreground and
+// background: Jimenez, "Next Generation Post Processing in Call of Duty", SIGGRAPH 2014.
 
 namespace {
 

@@ -130,8 +130,9 @@ void main()
     // The width of a stroke is limited by its length, so that a short stroke does not look like a tuft.
     stroke.half_px = min(0.5 * constants.width_px * (0.15 + 0.85 * weight * weight * weight),
                          length_of(stroke.way_px) / 14.0);
-    // A smear stroke starts inside the body, as if a wide brush were set down there. If the body's edge is
-    // parallel to the motion, the start lies outside of the body, and the stroke is not drawn.
+    // A smear stroke starts inside the body, as if a wide brush were set down there. Where the body's edge is
+    // parallel to the motion, a wide start would lie partly outside of the body. The stroke is then only as
+    // thick as a hair.
     vec2 begin = stroke.from_px - 3.0 * stroke.half_px * back;
     vec2 aside = stroke.half_px * vec2(-back.y, back.x);
     bool has_body = goes_along(way_at(clamp(ivec2(floor(begin + aside)), ivec2(0), last)), way) &&

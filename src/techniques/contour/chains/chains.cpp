@@ -179,7 +179,7 @@ struct Marks {
 };
 
 /// Number of words of mark bits (1: a line runs through) for triangles and loose edges. The mark bits of the
-/// page's cells follow after these words.
+/// page lattice's cells follow after these words.
 uint32_t mesh_words(const shared::ChainConstants& constants)
 {
     return (constants.triangle_count + 31) / 32 + (constants.loose_edge_count + 31) / 32 +

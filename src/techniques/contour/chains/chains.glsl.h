@@ -38,7 +38,7 @@ SHARED_CONSTANT uint no_side = 0xffffffffU;
 
 // Flags of a triangle. is_turned: the triangle's winding is opposite to that of its shell (connected
 // surface). smooth_shift: three bits, one for each side across which shading is smooth. is_inside_out: the
-// vertex normals of its smooth piece point to the back of the shell. shell_shift: the number of its shell,
+// vertex normals around the triangle point to the back of the shell. shell_shift: the number of its shell,
 // from 1, or 0 if the triangle has no lines.
 SHARED_CONSTANT uint neighbor_is_turned = 1U;
 SHARED_CONSTANT uint neighbor_smooth_shift = 1U;
@@ -205,8 +205,8 @@ struct LineSample {
     uint normal;
     vec2 page_px;
     uint source;
-    // State bits (sample_ and piece_); the upper 16 bits are the distance to the next sample in pixels, as a
-    // half float.
+    // State bits of the sample, whose names begin with sample_ or piece_. The upper 16 bits are the distance
+    // to the next sample in pixels, as a half float.
     uint state;
 };
 
@@ -293,7 +293,7 @@ struct ListSize {
 SHARED_CONSTANT uint scan_parts = 256U;
 
 struct ScanConstants {
-    uint fixed_count; // number of values, as far as the CPU knows it
+    uint fixed_count; // number of values that the CPU knows before the frame
     uint count_of;    // index of a list whose length is added to `fixed_count`, or no_list
     uint total_to;    // index of the list whose length becomes the total
     uint capacity;

@@ -46,7 +46,7 @@ struct CoincidentVertices {
 
 [[nodiscard]] CoincidentVertices upload_coincident(gpu::Device& device, const CoincidentList& list);
 
-/// Displaces each vertex by half of its motion times `share`: forwards if the surface around it faces in the
+/// Displaces each vertex by its motion times `share`: forwards if the surface around it faces in the
 /// direction of motion, otherwise backwards.
 ///
 /// Cost    one dispatch, one thread per vertex

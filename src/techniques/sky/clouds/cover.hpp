@@ -44,7 +44,7 @@ struct CoverNoise {
 /// Size of puffs (balls of cloud) in cells, and how the puffs are stacked.
 struct PuffShape {
     float radius = 0.85F;      ///< radius of a puff where the cloud is dense, in cells
-    float growth = 0.10F;      ///< by excess of the field over the limit at which a puff has its full size
+    float growth = 0.10F;      ///< excess of the field over the limit at which a puff has its full size
     uint32_t levels = 1;       ///< number of puffs on top of each other
     float level_rise = 0.62F;  ///< height from one puff to the next higher puff, in radii
     float level_limit = 0.06F; ///< increase of the field's limit from one level of puffs to the next higher

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads and writes DDS files of uncompressed images. No library in Debian reads and writes DDS arrays with
-//       custom mip levels, and the required part of the format is small.
+// custom mip levels, and the required part of the format is small.
 #include "techniques/tam/files/map_files.hpp"
 
 #include <algorithm>
@@ -198,9 +198,8 @@ private:
     };
 
     /// Reads the mip levels of a volume, one tone per slice of level 0. A coarser level has half as many
-    ///       slices as the next finer level. So each tone of a coarser level is blended from the two slices
-    ///       nearest in darkness. Levels with a single slice are not read, because all tones would look
-    ///       equal.
+    /// slices as the next finer level. So each tone of a coarser level is blended from the two slices nearest
+    /// in darkness. Levels with a single slice are not read, because all tones would look equal.
     [[nodiscard]] std::vector<std::vector<Gray8>> volume_levels(const VolumeSize& size, size_t place) const
     {
         std::vector<std::vector<Gray8>> level_of_tone(size.slices);

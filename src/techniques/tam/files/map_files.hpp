@@ -74,11 +74,10 @@ struct DdsImages {
 };
 
 /// Reads an uncompressed DDS file. Its texels are 8-bit luminance or alpha, 24- or 32-bit colour with masks,
-///       or, with a DX10 header, R8, RGBA8 or BGRA8. The file may contain one image, an array (one tone per
-///       layer), or a volume (one tone per slice). A volume's coarser mip levels have fewer slices: each tone
-///       is blended from the two slices nearest in darkness, as long as the level has at least two slices.
-///       Throws Error naming `name` if the file has another format, is truncated, is not square, or exceeds
-///       the limits of TonalArtMap.
+/// or, with a DX10 header, R8, RGBA8 or BGRA8. The file may contain one image, an array (one tone per layer),
+/// or a volume (one tone per slice). A volume's coarser mip levels have fewer slices: each tone is blended
+/// from the two slices nearest in darkness, as long as the level has at least two slices. Throws Error naming
+/// `name` if the file has another format, is truncated, is not square, or exceeds the limits of TonalArtMap.
 ///
 /// Source  Microsoft, "Programming Guide for DDS"
 [[nodiscard]] DdsImages decode_dds(std::span<const std::byte> bytes, const std::string& name);

@@ -215,7 +215,8 @@ private:
     std::vector<uint32_t> known_;
 };
 
-/// Adds the outermost cells of a grid of n x n cells. Along the border, their edges are two cells long.
+/// Adds the outermost cells of a grid of n x n cells. On the outer border of the grid, edges of triangles are
+/// two cells long.
 void add_border(GridVertices& grid, uint32_t n)
 {
     for (uint32_t side = 0; side < 4; ++side) {

@@ -69,7 +69,7 @@ float share_of_turn(PosedVertex from, PosedVertex to)
 uint outline_part(uvec2 sides)
 {
     uvec2 ends = ends_of(sides.x);
-    uvec2 back_ends = ends_of(sides.y).yx; // the back triangle's values at the same two positions
+    uvec2 back_ends = ends_of(sides.y).yx; // corners of the back triangle at the same two positions
     uvec4 corners = triangle_at(sides.x >> 2);
     uvec4 back_corners = triangle_at(sides.y >> 2);
     bvec2 first = bvec2(is_front_at(sides.x >> 2, ends.x), is_front_at(sides.x >> 2, ends.y));

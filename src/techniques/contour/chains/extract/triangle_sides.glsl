@@ -26,7 +26,7 @@ uvec2 ends_of(uint side)
     return reversed ? uvec2(next_corner(first), first) : uvec2(first, next_corner(first));
 }
 
-// Whether the vertex normals of a triangle's smooth piece point to the back of its shell.
+// Whether the vertex normals around a triangle point to the back of its shell (connected surface).
 bool is_inside_out(uint triangle)
 {
     return (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_inside_out) != 0u;

@@ -14,7 +14,8 @@
 
 namespace estampe::contour {
 
-/// The picture of a stroke that runs from left to right. The left side of the stroke is at the top.
+/// The picture of a stroke that runs from left to right. The left side of the stroke, seen in drawing
+/// direction, is at the top of the picture.
 struct BrushStrip {
     std::vector<float> ink; ///< brush_rows rows of brush_columns values: 0 is paper, 1 is full ink
     float widths = 1.0F;    ///< length of the stroke, in multiples of its width

@@ -93,7 +93,8 @@ float inked_by(vec2 pixel, End a, End b)
     float period_px = constants.period_px[use];
     uint layer = constants.layer_of_use[use];
     bool repeats = period_px > 0.0;
-    // A repeated brush and the pen have round ends. A stretched picture shows its own ends.
+    // The ends of a stroke are round if it is drawn with the pen or a repeated brush. The picture of a
+    // stretched brush has its own ends.
     bool has_cap = repeats || layer == no_brush;
     bool is_inside = (past_a >= 0.0 || (has_cap && (a.touch.uses & touch_is_start) != 0u)) &&
                      (before_b > 0.0 || (has_cap && (b.touch.uses & touch_is_end) != 0u));

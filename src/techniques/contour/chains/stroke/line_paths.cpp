@@ -39,7 +39,7 @@ class Reader {
 public:
     Reader(const LineLists& lists, const EdgeMesh& mesh) : lists_(lists), mesh_(mesh) {}
 
-    /// Appends the strokes that lie among the samples from `first` to `last`.
+    /// Appends the paths of all strokes that lie between the samples `first` and `last`.
     void add_strokes(uint32_t first, uint32_t last, std::vector<LinePath>& paths) const
     {
         for (uint32_t start = first; start < last;) {
