@@ -30,7 +30,7 @@ struct FormOptions {
 struct FormFaults {
     /// Triangles without area, with a non-finite vertex, or with an index out of range.
     uint32_t dropped_triangles = 0;
-    uint32_t crease_edges = 0; ///< edges sharper than 45 degrees; strokes may break there
+    uint32_t crease_edges = 0; ///< edges where the surface bends by over 45 degrees; strokes may break there
     /// Triangles around which the direction of strokes turns by half a turn or more.
     uint32_t singular_triangles = 0;
     uint32_t branch_triangles_a = 0; ///< triangles in which lines of equal coordinate a begin or end

@@ -108,9 +108,9 @@ struct Stripes {
 };
 
 /// Computes phases that grow by one per `period` (in radii of the mesh) in the direction of the line field
-/// turned by `turn_rad`. In a triangle with a branch point or a singularity, the phases fit the neighbours on
-/// two edges only. Phases of neighbouring triangles differ by a whole number, mostly 0. They also differ in
-/// sign where the field cannot have one sense everywhere. Cost: linear.
+/// turned by `turn_rad`. In a triangle with a branch point or a singularity, the phases agree with the
+/// neighbouring triangles across two edges only. Phases of neighbouring triangles differ by a whole number,
+/// mostly 0. They also differ in sign where the field cannot have one sense everywhere. Cost: linear.
 [[nodiscard]] Stripes find_stripes(const Mesh& mesh, const Directions& directions, double turn_rad,
                                    double period, uint32_t seed);
 

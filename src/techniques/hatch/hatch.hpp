@@ -31,9 +31,9 @@ enum class MapTone : uint8_t {
 /// level has `size_px` texels per side, a power of two; the coarsest level has one texel.
 struct MapData {
     uint32_t size_px = 0;
-    /// Coverage of each texel, 255 is ink; the lightest tone comes first.
+    /// For each tone, from light to dark, and each mip level: coverage of each texel; 255 is full ink.
     std::vector<std::vector<std::vector<uint8_t>>> level_of_tone;
-    /// Darkness at which each texel turns to ink, times 255.
+    /// For each mip level: the darkness at which each texel turns to ink, times 255.
     std::vector<std::vector<uint8_t>> threshold_of_level;
 };
 
@@ -84,7 +84,7 @@ struct HatchStyle {
     float pressure = 0.28F;
     float growth = 0.0F;
     float overrun_mm = 0.0F;
-    float fade = 1.0F; ///< share of darkness left at infinite distance, from the style's `haze.hatching`
+    float fade = 1.0F; ///< share of darkness kept at infinite distance, from the style's `haze.hatching`
     /// Distance in metres over which hatching fades, from the style's `haze.hatching_distance_m`.
     float fade_distance_m = 60.0F;
     float black_above = 0.96F;

@@ -47,8 +47,8 @@ struct Place {
     float lod; // level of detail: 0 is the finest mip level; below 0 that level is repeated at smaller size
 };
 
-// Position in the map: the surface in its rest pose, projected along the axis that it faces most. So strokes
-// stay attached to the surface.
+// Position in the tonal art map. The surface in its rest pose is projected along the coordinate axis that it
+// faces most, so strokes stay attached to the surface.
 Place place_on(uint kind, vec3 p, Footprint f)
 {
     vec3 facing = abs(cross(f.dx, f.dy));

@@ -77,8 +77,8 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
     return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.layers, is_blurred);
 }
 
-// Bilinear lookup in the near or the far field. In the near field, radius_px of the result is the field's
-// coverage.
+// Bilinear lookup in the image of the near field (surfaces in front of the focus) or of the far field. In the
+// near field, radius_px of the result is the field's coverage.
 LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
 {
     vec2 place = 0.5 * (vec2(pixel + ivec2(constants.pad_px)) + 0.5) - 0.5;

@@ -36,7 +36,7 @@ int level_for(float radius_px)
     return clamp(int(ceil(log2(max(radius_px, 1.0) / 3.0))), 1, int(lens_levels));
 }
 
-// A position on a mip level: its texel, and the offset from the texel's centre.
+// A position on a mip level: the texel that contains it, and the offset from the texel's centre.
 struct Place {
     int level;
     ivec2 texel;

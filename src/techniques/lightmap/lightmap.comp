@@ -26,7 +26,7 @@ layout(scalar, binding = 1) readonly buffer Visibility
 
 layout(scalar, binding = 4) readonly buffer Slots
 {
-    LightmapSlot slots[]; // the lightmap of each draw
+    LightmapSlot slots[]; // the lightmap of each draw (mesh primitive)
 };
 
 layout(scalar, binding = 5) readonly buffer Corners

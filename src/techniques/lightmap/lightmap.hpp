@@ -25,7 +25,7 @@ struct LightmapStyle {
 /// The lightmaps of a scene, and the UV coordinates of its triangles.
 struct MapData {
     std::vector<LightImage> layers;          ///< the lightmaps, images of any size
-    std::vector<shared::LightmapSlot> slots; ///< the lightmap of each draw
+    std::vector<shared::LightmapSlot> slots; ///< the lightmap of each draw (mesh primitive)
     /// UV coordinates, three per triangle; (0, 0) is the top left corner of a lightmap.
     std::vector<glm::vec2> corners;
 };

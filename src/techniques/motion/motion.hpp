@@ -15,8 +15,7 @@ struct MotionInputs {
     gpu::BufferId posed_vertices;
     /// Posed vertices at the other moment; equals `posed_vertices` if nothing moved.
     gpu::BufferId posed_vertices_before;
-    /// Camera of the current frame, without the subpixel shift of antialiasing.
-    glm::mat4 clip_from_anchor{1.0F};
+    glm::mat4 clip_from_anchor{1.0F}; ///< camera of the current frame, without subpixel antialiasing shift
     glm::mat4 clip_from_anchor_before{1.0F};
     glm::uvec2 size_px{0};
 };

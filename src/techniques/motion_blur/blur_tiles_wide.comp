@@ -17,7 +17,8 @@ layout(push_constant, scalar) uniform Constants
     MotionBlurConstants constants;
 };
 
-// Squared length of the longest displacement, as float bits, which sort like the number.
+// Squared length of the longest displacement, as the bits of a float. The bits of positive floats have the
+// same order as the floats, so atomicMax works.
 shared uint longest_bits;
 shared uint first_thread;
 

@@ -21,7 +21,7 @@ SHARED_CONSTANT uint most_speed_lines = 16U; // largest number of speed lines pe
 
 struct MotionBlurConstants {
     uvec2 size_px;
-    uvec2 window_min_px; // corner of the window; pixels outside of the window are never visible
+    uvec2 window_min_px; // corner of the window, the part of the image that is visible later
     uvec2 window_max_px;
     float scale;         // motion times this factor is the displacement in half the exposure
     float most_px;       // upper limit of the displacement in half the exposure

@@ -150,7 +150,7 @@ private:
 };
 
 /// Returns the shape whose motion must be passed as MotionBlurInputs::motion, if the style's mode stretches
-/// shapes beyond their outlines. Returns none if that shape is the scene itself.
+/// shapes beyond their outlines. Returns none if no shape is stretched and the scene's own motion is used.
 [[nodiscard]] std::optional<VelocityShape> add_velocity_shape(gpu::Graph& graph, Memory& memory,
                                                               const VelocityShapeInputs& in,
                                                               const MotionBlurStyle& style);
@@ -168,7 +168,7 @@ struct MotionBlurInputs {
     gpu::ImageId sky_ink; ///< r16f: coverage by the sky's strokes
     bool has_sky = false; ///< the sky has strokes; otherwise `sky_ink` is not used
     glm::uvec2 size_px{0};
-    glm::uvec2 window_min_px{0}; ///< corner of the window; tiles outside of the window are left unchanged
+    glm::uvec2 window_min_px{0}; ///< corner of the window, outside of which tiles of the page stay unchanged
     glm::uvec2 window_max_px{~0U};
     std::optional<SmearScene> smear; ///< inputs of smear strokes; set if the style draws them
     /// Finds the longest motion in a tile with one thread per pixel instead of one thread per tile; faster on

@@ -61,7 +61,7 @@ struct CloudPuff {
 
 // A layer of puffs (balls of cloud), cut flat by its base.
 struct PuffLayer {
-    vec3 eye;      // position of the eye in layer space, on the tile
+    vec3 eye;      // position of the eye in layer space, wrapped to the tile
     float base_m;  // height of the base above the eye
     vec3 per_m;    // cells per metre along each axis of layer space
     float thick_m; // thickness of the layer

@@ -40,8 +40,8 @@ inline constexpr uint32_t least_drawn_px = 8;
 void check_map(const TonalArtMap& map, const std::string& where);
 
 /// Returns one threshold image per level. The threshold T of a texel is the darkness, times 255, at which the
-/// texel turns to ink. To draw any darkness t, a shader computes the ink of a texel as saturate((t - T / 255)
-/// * sharpness + 0.5). So whole strokes appear in the order of the map.
+/// texel turns to ink. To draw any darkness t, a shader computes the ink of a texel as
+/// saturate(sharpness * (t - T / 255) + 0.5). So whole strokes appear in the order of the map.
 ///
 /// Uses the maker's thresholds if the map has them: a share t of the texels has T <= 255 t, so the tone is
 /// exact. Otherwise each texel's coverage is interpolated linearly from tone to tone, from paper at darkness

@@ -45,7 +45,7 @@ struct TerrainGlobals {
     float anchor_y_m;      // height of the anchor in the world
     float stroke_unit_m;   // length in metres of one unit of stroke coordinates
     float planet_radius_m; // radius of the planet; 0 for flat ground
-    float before_s;        // time between the previous frame and this frame
+    float before_s;        // time between the previous frame and this frame, in seconds
     uint vertex_count;
     uint first_vertex;    // index of the terrain's first vertex among all posed vertices
     uint first_parameter; // index of the first parameter in the words of the program
@@ -274,7 +274,7 @@ struct DriftConstants {
     uint first_y;
     vec2 wind;           // unit vector of the wind's direction, as (x, z)
     float speed_m_per_s; // speed of the sand in the air
-    uint life;           // how many lifetimes of a streak have passed
+    uint life;           // number of whole streak lifetimes since time 0
     float life_share;    // elapsed share of the current lifetime, for a streak born at its beginning
     float length_m;
     float lift_m;

@@ -79,7 +79,7 @@ public:
     void recall(gpu::Device& device, glm::uvec2 size_px, std::array<std::optional<Drawn>, 2> drawn,
                 const glm::mat4& clip_from_anchor);
 
-    /// Forgets all frames, because the scene has changed.
+    /// Forgets the strokes of all frames. Call this function when the scene has changed.
     void forget();
 
     [[nodiscard]] bool holds_frame(LineClass lines = LineClass::seen) const
@@ -139,7 +139,7 @@ struct Chains {
     gpu::BufferId sizes; ///< the length of each list, as one ListSize per list
     gpu::BufferId points_of_slot;
     gpu::BufferId flags_of_slot;
-    /// For each slot (entry of the list of chains): number of points in all slots before it.
+    /// For each slot (entry of the list of chains): number of chain points in all earlier slots.
     gpu::BufferId points_before;
     gpu::BufferId points;  ///< one ChainPoint per point of a chain
     gpu::BufferId lengths; ///< length on the page from each point to the next, in 1/1024 pixel
@@ -148,9 +148,9 @@ struct Chains {
 /// Chains divided into evenly spaced samples, with the visibility of each.
 struct ChainSamples {
     gpu::BufferId sizes;
-    /// For each point of the chains: sum of the lengths of all pieces before it.
+    /// For each point of the chains: sum of the lengths of all pieces of line before the point.
     gpu::BufferId lengths_before;
-    /// For each slot (entry of the list of chains): number of samples in all slots before it.
+    /// For each slot (entry of the list of chains): number of line samples in all earlier slots.
     gpu::BufferId samples_before;
     gpu::BufferId flags_of_slot;
     gpu::BufferId samples; ///< one LineSample per sample
@@ -164,7 +164,7 @@ struct ChainSamples {
 struct ChainStrokes {
     gpu::BufferId sizes;
     gpu::BufferId samples; ///< one LineSample per sample; closed chains are already cut open
-    /// For each slot (entry of the list of chains): number of samples in all slots before it.
+    /// For each slot (entry of the list of chains): number of line samples in all earlier slots.
     gpu::BufferId samples_before;
     gpu::BufferId strokes_before; ///< for each sample: number of strokes that start before it
     gpu::BufferId strokes;        ///< one Stroke per stroke

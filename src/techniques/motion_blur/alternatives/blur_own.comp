@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs one pixel along its path. The path is followed in steps; each step has the direction of
-// the motion at its position.
+// One thread blurs one pixel along the path of its motion. The path is followed in steps; each step has the
+// direction of the motion at its position.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

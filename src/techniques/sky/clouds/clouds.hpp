@@ -78,8 +78,8 @@ struct CloudShapes {
     Layer add(std::span<const shared::CloudPuff> layer_puffs, uint32_t cells);
 
     std::array<Layer, 2> layers; ///< cumulus clouds, then altocumulus clouds
-    /// Several lists of cells. Each list stores the index of the first puff (ball of cloud) of each cell,
-    /// then the end of the last cell.
+    /// Several lists of cells. Each list stores the index of the first puff (ball of cloud) of each cell. Its
+    /// last entry is the end of the last cell's puffs.
     std::vector<uint32_t> starts;
     std::vector<shared::CloudPuff> puffs;
     std::vector<float> streaks; ///< density of streaks at each corner of the cells, row by row

@@ -62,7 +62,8 @@ struct PuffShape {
 /// the list of every cell that its outline may touch. In cells across the tile's edge, the puff's centre is
 /// shifted by the tile's size, so that it lies next to the cell.
 struct PuffLists {
-    /// Index of the first puff of each cell, row by row, then the end of the last cell.
+    /// For each cell, row by row: index of its first puff. The last entry is the end of the last cell's
+    /// puffs.
     std::vector<uint32_t> starts;
     std::vector<shared::CloudPuff> puffs;
 };

@@ -584,7 +584,7 @@ private:
     Program program_;
     std::map<std::vector<double>, uint32_t> parameters_;
     std::map<std::array<uint32_t, 9>, uint32_t> known_;
-    /// Number of each node's value, by the node's name and coordinate frame.
+    /// Index of the value that a node computes in a coordinate frame, by the node's name and that frame.
     std::map<std::pair<std::string, Frame::Key>, uint32_t> named_;
     /// For each node: its linear function of time; none if it is not linear.
     std::map<std::string, std::optional<Linear>> times_;

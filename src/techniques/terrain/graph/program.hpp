@@ -52,7 +52,7 @@ struct SandSource {
 
 /// Heights in rows of texels: from a texture file, a mask or simulated sand.
 struct HeightTexture {
-    std::string name; ///< name in the graph: a file, or the name of a mask
+    std::string name; ///< name in the height graph: a texture file, or the name of a mask
     bool is_mask = false;
     uint32_t columns = 0, rows = 0;
     uint32_t first_texel = 0; ///< index of the first texel in Program::texels; 0 for sand
@@ -104,7 +104,7 @@ struct ProgramWords {
                                                       uint32_t result, const std::string& where);
 
 struct TextureRequest {
-    std::string name; ///< name in the graph: a file, or the name of a mask
+    std::string name; ///< name in the height graph: a texture file, or the name of a mask
     bool is_mask = false;
     uint32_t texels = 0; ///< side of a mask or of a field of sand, in texels
     std::optional<SandSource> sand = {};

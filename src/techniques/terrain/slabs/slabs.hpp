@@ -55,8 +55,8 @@ public:
     /// after it (1), so that motion is smooth. With a `count` of 0, it interpolates the last step of earlier
     /// calls.
     ///
-    /// The graph must be run. Graphs must run in the order in which they were passed to the field, and the
-    /// field must outlive the runs. Call once per graph.
+    /// The caller must run the graph. Graphs must run in the order in which they were passed to the field,
+    /// and the field must outlive the runs. Call once per graph.
     ///
     /// Throws  std::logic_error for more than most_steps() in one graph
     /// Cost    per step three dispatches, and one of a quarter of the threads for each of `slides`; two for

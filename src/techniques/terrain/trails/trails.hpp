@@ -87,7 +87,7 @@ public:
 
     [[nodiscard]] static constexpr size_t most_known() { return 4096; }
 
-    /// Returns whether any stamp was ever pressed or waits to be pressed.
+    /// Returns whether any stamp (pressed shape) was ever pressed or waits to be pressed.
     [[nodiscard]] bool is_trodden() const { return !known_.empty() || !waiting_.empty(); }
 
     [[nodiscard]] uint32_t side() const { return side_; }
@@ -179,7 +179,7 @@ private:
     size_t next_step_ = 0;
     std::vector<TrailStamp> waiting_;   ///< the program's stamps (pressed shapes) for the next moment
     std::vector<TimedStamp> pressed_;   ///< the program's stamps (pressed shapes) up to the current moment
-    std::unique_ptr<TrailField> field_; ///< the window of trails; null until somebody has walked
+    std::unique_ptr<TrailField> field_; ///< the window of trails; null until the first stamp is pressed
     bool is_made_afresh_ = false;
     FootprintMoment moment_;
     uint32_t ticks_due_ = 0;

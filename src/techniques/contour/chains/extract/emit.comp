@@ -243,7 +243,7 @@ Segment along_edge(uint edge, uint segment_count)
         Corner start = corner_at(corners[ends.x]);
         Corner finish = corner_at(corners[ends.y]);
         Crossing crossing = crossing_of(start, finish);
-        // Corner of the triangle that faces the eye.
+        // Position of this end of the edge.
         vec3 corner = end == 0 ? start.position : finish.position;
         uint packed = pack_normal(unit(start.normal + finish.normal + 1e-6 * way_to_eye(corner)));
         place[end] = Crossing(is_corner ? corner : crossing.position, is_corner ? packed : crossing.normal);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread makes one segment of a suggestive contour or a crest, and finds the next segment in the adjacent
-// triangle. A line ends within a triangle where its strength becomes zero. The side of the line that looks
-// concave from the eye lies on the right.
+// triangle. A line ends within a triangle where its strength becomes zero. The surface that looks concave
+// from the eye lies to the right of the line.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -108,7 +108,7 @@ float inked_by(vec2 pixel, End a, End b)
                                  max(half_width, 0.5);
         float length_px = b.touch.along_px - a.touch.along_px;
         float phase = b.touch.phase_px - a.touch.phase_px;
-        // Where two brushes meet within a piece, each brush continues at its own scale.
+        // Where two brushes meet within a piece of line, each brush continues at its own scale.
         vec2 same_brush = (repeats ? repeated_pace : stretched_pace) * length_px;
         phase = phase > same_brush.x && phase < same_brush.y ? phase : length_px;
         float beyond = min(past_a, 0.0) - min(before_b, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup converts one tile of inked words to pixels of the ink layer. The layer is blank outside of
-// these tiles.
+// One workgroup converts the inked pixels of one tile (one word per pixel) to pixels of the ink layer.
+// Outside of the listed tiles, the layer stays blank.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

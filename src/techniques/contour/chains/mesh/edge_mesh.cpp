@@ -437,9 +437,9 @@ private:
         return sense * glm::dot(area_normal(t, soup_.mesh_positions), mean);
     }
 
-    /// Visits all triangles that have lines, piece by piece. A piece continues from triangle t across side k
-    /// to an unvisited triangle if `crosses(t, k)` is true. After each piece, calls `ends(piece, agrees)`.
-    /// `agrees` says how well the vertex normals of the piece agree with its winding.
+    /// Visits all triangles that have lines, piece by piece. A piece (connected triangles) continues from
+    /// triangle t across side k to an unvisited triangle if `crosses(t, k)` is true. After each piece, calls
+    /// `ends(piece, agrees)`. `agrees` says how well the vertex normals of the piece agree with its winding.
     template <class Crosses, class Ends>
     void flood(const Crosses& crosses, const Ends& ends)
     {

@@ -41,7 +41,7 @@ struct TriangleSoup {
     /// one body can be neighbours.
     std::span<const uint32_t> bodies;
     std::span<const uint32_t> materials; ///< material of each triangle
-    std::span<const uint8_t> edge_marks; ///< marks of each triangle's edges, see pose::MeshData; or empty
+    std::span<const uint8_t> edge_marks; ///< marks of each triangle's edges, see pose::MeshData; may be empty
 };
 
 enum class FeatureKind : uint8_t { border, boundary, crease };

@@ -91,7 +91,7 @@ private:
         return mesh_.triangles[side >> 2U][static_cast<int>(((side & 3U) + step) % 3)];
     }
 
-    /// The vertex at an end of an edge. Ends 2 e and 2 e + 1 belong to edge e.
+    /// The vertex at an end of an edge. The two ends of edge number e have the numbers 2 e and 2 e + 1.
     [[nodiscard]] uint32_t vertex_at(uint32_t end) const
     {
         return (end & 1U) == 0 ? edges_[end / 2].from : edges_[end / 2].to;

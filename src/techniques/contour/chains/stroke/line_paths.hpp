@@ -34,7 +34,7 @@ struct LinePath {
 struct LineLists {
     std::span<const shared::ListSize> sizes;
     std::span<const shared::LineSample> samples;
-    /// For each slot (entry of the list of chains): number of samples in all slots before it.
+    /// For each slot (entry of the list of chains): number of line samples in all earlier slots.
     std::span<const uint32_t> samples_before;
     std::span<const uint32_t> strokes_before; ///< for each sample: number of strokes that start before it
     std::span<const shared::LinePoint> points;

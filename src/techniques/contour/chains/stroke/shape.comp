@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two threads handle one sample of a stroke. They compute the path and width of the pen for the start of the
-// piece after the sample and for the end of the piece before it. The two differ where one stroke ends and the
-// next starts.
+// Two threads handle one sample of a stroke. One thread computes the pen's position and width for the start
+// of the piece of line after the sample, the other for the end of the piece before the sample. The results
+// differ where one stroke ends and the next starts.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

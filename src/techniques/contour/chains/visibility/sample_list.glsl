@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_SAMPLE_LIST
 #define ESTAMPE_SAMPLE_LIST
 
-// Access to the samples of a chain by their index in the chain.
+// Functions that read the line samples of a chain by their index in the chain.
 
 struct ChainOfSamples {
     uint first;
