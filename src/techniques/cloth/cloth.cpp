@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs of steps: how they are cut, what they may meet, in what they are; and their passes.
+// Runs of simulation steps of the cloth: their division into small steps, the solids that sheets may meet,
+// and their passes.
 #include "techniques/cloth/cloth.hpp"
 
 #include <algorithm>
@@ -67,7 +68,8 @@ glm::vec3 direction_of(const wind::WindStyle& wind)
     return {std::cos(from_x_rad), 0.0F, std::sin(from_x_rad)};
 }
 
-/// Whether sheets that rested in the surroundings `before` would not rest in `now`. The wind is not compared.
+/// Whether the surroundings changed from `before` to `now` so that resting sheets must move again. The wind
+/// is not compared.
 bool are_other(const Surroundings& now, const Surroundings& before)
 {
     return before.gravity_m_s2 != now.gravity_m_s2 || before.effort != now.effort ||
@@ -81,7 +83,7 @@ uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings)
     const Solver& solver = *kind.solver;
     const bool tears = (kind.variant & shared::cloth_bit_tear) != 0;
     const float share = solver.relaxations > 0
-                            // Relaxations need no extra small steps for missing tethers.
+                            // A solver by relaxations needs no extra small steps for sheets without tethers.
                             ? static_cast<float>(solver.relaxations)
                             : (tears ? tear_share : 1.0F) / static_cast<float>(std::max(solver.sweeps, 1U));
     const float wanted =

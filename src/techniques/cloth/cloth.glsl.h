@@ -18,7 +18,7 @@ SHARED_CONSTANT uint cloth_bit_self = 128U;    // sheets collide with themselves
 SHARED_CONSTANT uint cloth_bit_flow = 256U;    // a fluid simulation moves the air in some boxes
 SHARED_CONSTANT uint cloth_bit_grids = 32U;    // some solids are grids of heights or of signed distances
 
-// Some particles are only partly held by the object that carries the cloth.
+// Some particles are only partly held by the object to which the cloth is attached.
 SHARED_CONSTANT uint cloth_bit_half_held = 512U;
 
 // Some solids are deforming bodies, measured from the front and the back.
@@ -33,7 +33,7 @@ SHARED_CONSTANT uint cloth_bit_lone = 8192U;   // only one sheet exists, and Clo
 SHARED_CONSTANT uint cloth_group = 64U;
 // Side of a square workgroup, in particles, for sheets that are regular grids.
 SHARED_CONSTANT uint cloth_tile_side = 8U;
-SHARED_CONSTANT uint cloth_small_group = 256U;  // threads per small sheet on a processor
+SHARED_CONSTANT uint cloth_small_group = 256U;  // threads per small sheet on a CPU
 SHARED_CONSTANT uint cloth_small_sheet = 1024U; // largest number of particles of a small sheet
 SHARED_CONSTANT uint cloth_small_share = 8U;    // largest number of particles per thread, for a small sheet
 SHARED_CONSTANT uint cloth_wide_group = 1024U;  // threads per small sheet on a GPU; divides cloth_small_sheet
@@ -74,7 +74,7 @@ SHARED_CONSTANT uint cloth_grid_head = 6U;
 SHARED_CONSTANT uint cloth_seen_head = 1U; // texels before a seen body's data: nodes per axis
 // Width, in nodes, of the band outside a body's outline where distances are computed.
 SHARED_CONSTANT uint cloth_seen_skirt = 5U;
-SHARED_CONSTANT float cloth_seen_nowhere_m = 1e3F; // distance from the outline that means: there is no body
+SHARED_CONSTANT float cloth_seen_nowhere_m = 1e3F; // distance from the outline at places without a body
 
 // A cloth sheet. Its particles start at index `first`; the sheet has `count` particles, padded to `stride`.
 // The k-th link of particle i has index first_link + k * stride + i; faces and tethers are indexed likewise.
@@ -129,7 +129,8 @@ struct ClothRun {
     uint step_count;
     uint small_steps; // small steps per simulation step
     uint collider_count;
-    // Distance in the collider buffer from the run's beginning to its end; 0: all colliders are still.
+    // Number of collider records from the run's beginning to its end in the collider buffer; 0: all colliders
+    // are still.
     uint collider_stride;
     vec3 wind_m_per_s;
     vec3 ahead_m;     // distance that the wind's pattern has moved, in addition to wind velocity times time
@@ -174,7 +175,8 @@ struct ClothCollider {
     float reach_m; // distance from the centre beyond which every place is outside
 };
 
-// A deforming body, measured along its z axis, with the rotation of its solid.
+// A deforming body that cloth collides with. Its front and back surfaces are measured along the z axis of its
+// solid.
 struct ClothBody {
     vec4 rotation;
     vec3 centre_m;

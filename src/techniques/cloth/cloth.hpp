@@ -42,7 +42,7 @@ struct DrawnSheet {
     uint32_t first_vertex = 0;
     std::vector<uint32_t> particle_of_vertex;  ///< for each drawn vertex from `first_vertex` on: its particle
     std::optional<uint32_t> first_back_vertex; ///< first vertex of the sheet's back, if the back has vertices
-                                               ///< of its own; same number and order
+                                               ///< of its own, in the number and order of the front
     std::vector<DrawnFace> faces; ///< triangles of the drawn sheet; only needed for a sheet that may tear
 };
 
@@ -163,8 +163,8 @@ public:
     /// Largest number of simulation steps in one graph, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// Makes the next targets and bodies valid from the beginning of their run, without motion from earlier
-    /// ones. Differences between the next run and the last run wake no sheet.
+    /// Makes the targets and bodies of the next run valid from the run's beginning, so that they do not move
+    /// from those of the last run. Changes between the last and the next run wake no sheet.
     void forget_before()
     {
         has_targets_ = false;
@@ -222,9 +222,11 @@ private:
     struct Solver {
         uint32_t bits = 0;               ///< bits that the solver adds to the shaders' `variant`
         bool takes_small_sheets = false; ///< the solver can run small sheets in a dispatch of their own
-        uint32_t sweeps = 0;             ///< sweeps over all colours per small step; divides the small steps
-        uint32_t relaxations = 0;        ///< relaxations of a whole step, per small step of the usual solver
-        bool lowers_rigidity = false;    ///< lowers bending rigidity where a small step is too long for it
+        uint32_t sweeps = 0; ///< sweeps over all colours of particles per small step; the number of small
+                             ///< steps is divided by it
+        uint32_t relaxations = 0;     ///< number of relaxations of a whole step, for each small step that the
+                                      ///< default solver would take
+        bool lowers_rigidity = false; ///< lowers bending rigidity where a small step is too long for it
         void (Cloths::*add_step)(gpu::Graph&, Handles&, Kind&, const LargeStep&) = nullptr;
     };
 
@@ -240,7 +242,8 @@ private:
         uint32_t group_count = 0;
         uint32_t most_particles = 0;     ///< number of particles of the largest sheet of this kind
         std::optional<uint32_t> lone;    ///< number of the sheet, if it is the only one and it is large
-        std::vector<glm::uvec2> colours; ///< for sweeps, per colour: first group and number of groups
+        std::vector<glm::uvec2> colours; ///< for sweeps over the colours of particles: first workgroup of
+                                         ///< each colour, and number of workgroups
         gpu::Buffer run;
     };
 

@@ -87,7 +87,7 @@ vec4 target_of(uint local, float part)
 {
     vec4 before = texelFetch(target_before_texels, int(sheet.first + local));
     vec4 after = texelFetch(target_after_texels, int(sheet.first + local));
-    return before + part * (after - before); // exact if the target does not move
+    return before + part * (after - before); // the result is exact if the target does not move
 }
 
 float small_step_s()
@@ -95,7 +95,7 @@ float small_step_s()
     return run.step_s / float(run.small_steps);
 }
 
-// Predicted position of a free particle after a small step. For a held particle, the target.
+// Predicted position of a particle after a small step; for a held particle, its target.
 vec3 foreseen(uint local, vec3 place, vec3 speed, vec3 push, float inverse_mass, float part)
 {
     if (inverse_mass == 0.0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reference: Ghia, Ghia and Shin, "High-Re solutions for incompressible flow using the Navier-Stokes
-// equations and a multigrid method", Journal of Computational Physics 48, 1982. One entry of their table of v
-// at Reynolds number 400, at x = 0.9063, is a misprint and is left out.
+// equations and a multigrid method", Journal of Computational Physics 48, 1982. One entry of their table of
+// the vertical speed, at Reynolds number 400, at x = 0.9063, is a misprint and is left out.
 #include "techniques/fluid/cavity.hpp"
 
 #include <algorithm>

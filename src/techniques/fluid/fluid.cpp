@@ -260,7 +260,7 @@ ProjectionStyle Fluid::trusted(const ProjectionStyle& style) const
 
 uint32_t Fluid::most_steps(const FluidStyle& style) const
 {
-    constexpr uint32_t most_passes = 240; // a graph has 256 passes; the rest is left to other users
+    constexpr uint32_t most_passes = 240; // a graph holds at most 256 passes; other techniques use the rest
     const bool has_mass = style.projection.solver == Solver::mass;
     const bool reflects = style.stepping == Stepping::reflect && !has_mass;
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);

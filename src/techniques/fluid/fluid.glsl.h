@@ -112,9 +112,10 @@ struct FluidShapes {
 // Constants of a field of mass that is counted in whole units.
 struct FluidMass {
     float cells_per_speed;
-    float gain_per_unit; // gain of speed per difference of one unit between neighbours
-    float damping;       // share of the difference in outflow between two cells by which speeds grow
-    uint channels;       // masses per cell; all masses of a cell move along the same paths
+    float gain_per_unit; // gain of speed for a difference in mass of one unit between two neighbour cells
+    float damping; // share of the difference in outflow between two cells that is added to the speed of the
+                   // face between them
+    uint channels; // masses per cell; all masses of a cell move along the same paths
 };
 
 // Changes of quantities in a step, in addition to advection.
@@ -190,7 +191,7 @@ struct FluidTransform {
 // fluid_mass_whole.
 SHARED_CONSTANT uint fluid_mass_unit = 65536U; // number of units for a mass of 1
 SHARED_CONSTANT uint fluid_mass_whole = 32768U;
-SHARED_CONSTANT float fluid_most_quantity = 2048.0F; // in whole units; larger quantities are cut to this
+SHARED_CONSTANT float fluid_most_quantity = 2048.0F; // larger quantities are clamped before counting
 
 SHARED_CONSTANT uint fluid_most_shapes = 64U;
 // Marks a permanently solid cell, which belongs to no shape.

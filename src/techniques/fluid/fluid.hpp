@@ -43,7 +43,7 @@ struct FluidFields {
     Solids solids;
     /// Quantities at cell centres; layer i * depth + z holds channel i.
     std::optional<gpu::ImageId> quantities = {};
-    std::optional<gpu::BufferId> mass = {}; ///< of each cell in units of 1 / 65536, if the fluid has a mass
+    std::optional<gpu::BufferId> mass = {}; ///< mass of each cell in units of 1 / 65536, if there is one
 };
 
 /// A fluid simulation on the GPU. Deterministic: equal start, style and steps give bit-identical fields on

@@ -90,7 +90,7 @@ bool is_far_from_wall(int low, int axis)
     return is_periodic(axis) || low >= 1 && low < fluid_size()[axis] - 1;
 }
 
-// Values of four nodes of a layer, from `low` on, in the order 00, 10, 01, 11.
+// Values of four nodes of a layer, from the node `low` on; x varies fastest, then y.
 vec4 plane_nodes(sampler2DArray field, int component, ivec2 low, int layer)
 {
     vec2 corner = (vec2(low) + 1.0) * vec2(grid.texel_x, grid.texel_y);
@@ -112,7 +112,8 @@ int layer_of_slice(int slice)
     return place_in_grid(slice, int(grid.depth), is_periodic(2));
 }
 
-// Values of eight nodes from `low` on; in 2D `far` equals `near`.
+// Values at the eight nodes of a cube that starts at node `low`: four in `near`, and four one layer farther
+// along z in `far`. In 2D both are equal.
 void box_nodes(sampler2DArray field, int component, ivec3 low, int first_layer, out vec4 near, out vec4 far)
 {
     if (!is_volume()) {

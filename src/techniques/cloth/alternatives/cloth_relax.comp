@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle: one of the relaxations of a whole Verlet step, or the last, which ends it. Links are
-// all there is: without compliance, and far ones push as they pull. Zanuttini, "Recherches en rendu non
+// One thread per particle: one relaxation of a Verlet step; the last relaxation ends the step. Only links
+// act. They have no compliance, and far links push as well as pull. Zanuttini, "Recherches en rendu non
 // réaliste temps réel", Université Paris 8, 2008, chapter 7.
 #version 460
 #extension GL_GOOGLE_include_directive : require

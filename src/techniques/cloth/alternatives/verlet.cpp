@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The thesis's solver: one Verlet step, and then relaxations of all links. Zanuttini, "Recherches en rendu
-// non réaliste temps réel", Université Paris 8, 2008, chapter 7.
+// The Verlet solver of cloth: one Verlet step, and then relaxations of all links. Zanuttini, "Recherches en
+// rendu non réaliste temps réel", Université Paris 8, 2008, chapter 7.
 #include "techniques/cloth/cloth.hpp"
 
 #include "shaders/cloth_relax_comp.hpp"

@@ -76,13 +76,13 @@ struct Structure {
     std::vector<float> link_shares; ///< per particle, the sum over its links of cloth_near_share (near links)
                                     ///< or 1 (far links)
     Lists<shared::ClothLink> links;
-    Lists<glm::uvec2> faces; ///< for each face at a particle: its two other corners, in order; twice the
-                             ///< particle itself if missing
+    Lists<glm::uvec2> faces; ///< for each face at a particle: the face's two other corners, in order; a
+                             ///< missing face has the particle itself twice
     Lists<Tether> tethers;
     /// All particles, sorted by colour; particles of one colour are not linked.
     std::vector<std::vector<uint32_t>> colours;
     float softness = 0.0F;        ///< compliance of a grid's links, in m / N for a link of 1 m
-    float bending_rate_s2 = 0.0F; ///< squared frequency of the fastest bending at rigidity 1
+    float bending_rate_s2 = 0.0F; ///< squared frequency of the fastest bending oscillation at rigidity 1
 };
 
 /// Builds links between neighbouring particles and between particles two edges apart, up to 24 per particle

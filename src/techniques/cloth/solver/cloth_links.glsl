@@ -21,7 +21,8 @@
 const float over_relaxation = (variant & cloth_bit_grid) != 0u ? 1.6 : 4.0 / 3.0;
 
 // Displacement by one link is this factor times the vector to the link's other end, times the inverse mass.
-// `split_masses` is for a far link; `softness` is the compliance divided by the squared time step.
+// `split_masses` is the sum of both ends' inverse masses, each times its shares, as for a far link;
+// `softness` is the compliance divided by the squared time step.
 float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, float softness)
 {
     float length_m = length(towards);

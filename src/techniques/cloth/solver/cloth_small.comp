@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup per sheet, for processors: a thread has several particles, and the neighbours of a grid are
-// read through a window.
+// One workgroup per sheet, for CPU implementations of Vulkan: each thread has several particles, and reads
+// the neighbours on a grid through a moving window.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -37,7 +37,7 @@ layout(push_constant, scalar) uniform Constants
 // Predicted positions: one half is read while the other is written.
 shared vec4 predicted[2][cloth_small_sheet];
 uint newest = 0u;
-// A thread's particles, by slot:
+// Data of a thread's particles, by slot:
 vec4 froms[most_slots];     // position of the slot's particle, and its inverse mass in w
 vec4 ways[most_slots];      // acceleration, or a holder's motion per small step; w: share of links
 vec4 began[most_slots];     // position at the step's beginning; w: time for which the particle has been calm
@@ -57,12 +57,12 @@ vec3 place_at(uint local)
 
 uvec4 near_of(uint local)
 {
-    return uvec4(cloth_no_vertex); // sheets with self-collision are never small
+    return uvec4(cloth_no_vertex); // this shader never processes sheets with self-collision
 }
 
 uvec2 torn_of(uint local)
 {
-    return uvec2(0u); // sheets that may tear are never small
+    return uvec2(0u); // this shader never processes sheets that may tear
 }
 
 vec4 met_ball()
@@ -187,7 +187,7 @@ void go_all_steps()
     uint step = 0u;
     bool goes_on = true;
     do {
-        goes_on = is_awake(step); // once at rest, the sheet rests until the run ends
+        goes_on = is_awake(step); // a sheet at rest stays at rest until the run ends
         if (goes_on) {
             begin_step(step);
             uint number = 0u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per particle: a small step.
+// One thread per particle of a cloth sheet: one small step.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

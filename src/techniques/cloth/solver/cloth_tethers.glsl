@@ -98,7 +98,7 @@ float grid_bend_own(ivec2 at, ivec2 size)
 vec3 tethered(uint local, vec3 place)
 {
     uint k = 0u;
-    do { // test at the end, because CPU implementations of Vulkan would run one extra round
+    do { // tests at the end: otherwise CPU implementations of Vulkan run one extra round
         if (k < sheet.tether_width) {
             uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
             vec3 held = predicted_at(tether.x).xyz;

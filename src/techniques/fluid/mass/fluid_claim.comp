@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: claims mass from the cells around the point that the flow brings the cell's content
-// from.
+// One thread per cell: claims mass for the cell from the cells around the point from which the flow comes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -40,10 +40,10 @@ std::vector<uint32_t> units_of(const Grid& grid, std::span<const float> mass)
 
 /// Masses that move along the same paths.
 struct Masses {
-    gpu::Name name; ///< of the passes, such as "fluid/medium"
+    gpu::Name name; ///< name of the passes, such as "fluid/medium"
     gpu::BufferId units;
     uint32_t channels = 1;
-    uint32_t bits = 0; ///< added to the shader variant
+    uint32_t bits = 0; ///< bits that are added to the shaders' `variant`
 };
 
 gpu::BufferId add_step(gpu::Graph& graph, const Grid& grid, const Masses& masses, const MassFlow& flow)
@@ -122,15 +122,15 @@ gpu::ImageId add_spread(gpu::Graph& graph, const Grid& grid, const Spread& sprea
 MassAndVelocity add_mass_pressure(gpu::Graph& graph, const Grid& grid, const Solids& solids,
                                   const MassAndVelocity& start, gpu::ImageId target, float time_s)
 {
-    constexpr float courant = 0.4F; // noise grows above 0.5
+    constexpr float courant = 0.4F; // cells that sound crosses per part of a step; noise grows above 0.5
     // Mass moves with the mean speed of a cell's two faces, so a speed that changes its sign from face to
     // face moves no mass and meets no pressure. Bulk viscosity damps such speeds.
     const float damping = grid.is_volume() ? 0.12F : 0.2F;
     const float part_s = time_s / static_cast<float>(mass_parts);
     const float sound_m_per_s = courant * grid.cell_m / part_s;
-    // Where mass moves to a neighbour, `both_ways` takes the speed at the neighbour's middle and `forward`
-    // the speed at its own, half a cell before and behind the face between them. The two errors have opposite
-    // signs: one makes waves grow that run with the flow, the other waves that run against it.
+    // When mass moves to a neighbour cell, the method `both_ways` uses the speed in the middle of the
+    // neighbour. The method `forward` uses the speed in the middle of the mass's own cell. These errors have
+    // opposite signs: one makes waves grow that run with the flow, the other waves that run against it.
     MassAndVelocity now = start;
     for (uint32_t i = 0; i < mass_parts; ++i) {
         const bool is_last = i + 1 == mass_parts;

@@ -44,17 +44,19 @@ struct MassFlow {
     MassAdvection advection = MassAdvection::both_ways;
 };
 
-/// Returns the mass after `flow`. `mass` comes from MassField::import() or from an earlier step.
+/// Adds passes that move mass along `flow`, and returns the new mass. `mass` comes from MassField::import()
+/// or from an earlier step.
 [[nodiscard]] gpu::BufferId add_mass_step(gpu::Graph& graph, const Grid& grid, gpu::BufferId mass,
                                           const MassFlow& flow);
 
-/// Returns the velocity after `time_s` of acceleration away from mass, as in a compressible gas, in `target`.
-/// `stiffness_m2_s2` is the square of the speed of sound where cells have mass 1.
+/// Input of add_spread(), which accelerates the fluid away from mass for `time_s`, as in a compressible gas.
+/// The new velocity is written into `target`. `stiffness_m2_s2` is the square of the speed of sound where
+/// cells have mass 1.
 struct Spread {
     gpu::BufferId mass;
     gpu::ImageId velocity;
     gpu::ImageId target;
-    std::optional<Solids> solids = {}; ///< no acceleration across the faces of solid cells
+    std::optional<Solids> solids = {}; ///< there is no acceleration across the faces of solid cells
     float stiffness_m2_s2 = 0.0F;
     float time_s = 0.0F;
     /// Bulk viscosity: the speed of a face grows by this share of the difference in outflow between its two

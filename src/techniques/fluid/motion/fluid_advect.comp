@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: semi-Lagrangian advection. Samples the field at the point that the flow brings each
-// node's value from.
+// One thread per cell: semi-Lagrangian advection. Samples the field at the point from which the flow brings
+// each node's value.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -70,7 +70,7 @@ void mend_four(inout mat4 nodes, int low, int component, int axis)
     nodes[3] = high <= 2 ? nodes[2] : high == 3 ? beyond_wall(nodes[2], component, axis, true) : nodes[3];
 }
 
-// Values of four nodes from `low` on, in the order 00, 10, 01, 11.
+// Values of four nodes from the node `low` on; x varies fastest, then y.
 vec4 four_nodes(sampler2DArray field, ivec2 low, float layer)
 {
     vec2 corner = (vec2(low) + 1.0) * vec2(grid.texel_x, grid.texel_y);

@@ -21,7 +21,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Velocities on four faces of `component` in a slice, from `low` on, in the order 00, 10, 01, 11.
+// Velocities on four faces of `component` in a slice, from `low` on, x varying fastest, then y.
 vec4 faces(int component, ivec2 low, int slice)
 {
     int inside = layer_of_slice(slice);

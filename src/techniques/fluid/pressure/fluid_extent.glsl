@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_EXTENT
 #define ESTAMPE_FLUID_EXTENT
 
-// Width of cell `i` of a level with `size` cells, in cells of this level. The last cell covers only the rest
-// of the grid.
+// Width of cell `i` of a multigrid level with `size` cells, in units of this level's usual cell width. The
+// last cell covers only the rest of the grid.
 float extent(int i, int size, int level, int cells)
 {
     return i < size - 1 ? 1.0 : float(cells) / float(1 << level) - float(size - 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One workgroup per few pairs of rows along an axis: transforms them forward or backward, or solves: forward,
-// division of each wave by its eigenvalue of the Laplacian, backward.
+// One workgroup per few pairs of rows of the grid: transforms the rows forward or backward. Or it solves: it
+// transforms them forward, divides each wave by its eigenvalue of the Laplacian, and transforms them
+// backward.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -109,7 +110,8 @@ int reordered(int j)
     return !has_walls() ? j : 2 * j < n ? 2 * j : 2 * (n - 1 - j) + 1;
 }
 
-// Rotation that turns the Fourier coefficient A(k) into the cosine coefficients k and n - k.
+// Rotation that turns the Fourier coefficient A(k) into the cosine coefficients k and n - k of a row with n
+// numbers.
 vec2 turn_of(int k)
 {
     return has_walls() ? conjugate(angle(k, int(transform.log_length) + 2)) : vec2(1.0, 0.0);
@@ -265,8 +267,8 @@ void write_rows()
     }
 }
 
-// Whether frequency `k` is the first of a pair: coefficients k and n - k come from one frequency; k = 0 and k
-// = n / 2 have no partner.
+// Whether frequency `k` is the first of a pair: coefficients k and n - k of a row with n numbers come from
+// one frequency; k = 0 and k = n / 2 have no partner.
 bool is_first_of_two(int k)
 {
     return 2 * k <= row_length();
@@ -300,7 +302,8 @@ void write_coefficients()
     }
 }
 
-// Fourier coefficient A(k) from the coefficients k and n - k, which are stored at `at` and `at_other`.
+// Fourier coefficient A(k) from the coefficients k and n - k of a row with n numbers, which are stored at
+// `at` and `at_other`.
 vec2 from_coefficients(int k, int at, int at_other)
 {
     bool is_real = k == 0 || 2 * k == row_length() && !has_walls();
@@ -349,7 +352,8 @@ float pressure_of_wave(float across, int k)
     return all_stiffness > 0.0 ? -1.0 / all_stiffness : 0.0;
 }
 
-// Fourier coefficient A(k) of a row after division of its coefficients k and n - k by the eigenvalues.
+// Fourier coefficient A(k) of a row with n numbers, after its coefficients k and n - k have been divided by
+// the eigenvalues.
 vec2 divided(vec2 wave, float across, int k)
 {
     int n = row_length();

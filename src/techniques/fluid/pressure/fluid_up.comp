@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup per tile of a level: adds the next coarser level's pressure, and does two sweeps.
+// One workgroup per tile of a multigrid level: adds the next coarser level's pressure, and does two smoothing
+// sweeps.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
