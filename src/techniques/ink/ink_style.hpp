@@ -8,13 +8,13 @@
 
 namespace estampe::ink {
 
-/// The frame that flowing ink is attached to when the camera moves.
+/// The thing that flowing ink moves with when the camera moves.
 enum class Follow : uint8_t {
     page,
     turn,    ///< the background at infinity, which turns with the camera
     advance, ///< a plane in front of the eye, which grows as the camera advances
     around,  ///< the world's directions: ink lies on a cube around the eye
-    surface  ///< the surface on which the ink was given
+    surface  ///< the surface on which the ink lies
 };
 
 enum class Source : uint8_t { strokes, light, things };

@@ -54,8 +54,8 @@ struct Batch {
 
 /// Distribution of raster work on the device. Affects speed only, not the picture.
 struct Tuning {
-    uint32_t small_area_px = 128; ///< bounding box, in pixels, up to which one thread draws a whole triangle
-    /// Workgroups that share a list of unknown length (only the device knows it).
+    uint32_t small_area_px = 128; ///< pixels of the bounding box up to which one thread draws a triangle
+    /// Number of workgroups that share a list whose length only the device knows.
     uint32_t list_groups = 4096;
     bool threads_list_tiles = true; ///< each thread lists the tiles of its triangle; if false, whole
                                     ///< workgroups do, one triangle after another

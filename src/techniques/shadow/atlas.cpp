@@ -12,7 +12,8 @@ namespace {
 // A light keeps its map size until the wanted size differs by this many doublings. The value 0.5 would be
 // plain rounding, which flickers.
 constexpr float patience = 0.8F;
-// Factor on the importance of lights that already have a map, so that equal lights do not alternate.
+// Factor on the importance of lights that already have a map, so that equally important lights do not get and
+// lose maps in turn.
 constexpr float loyalty = 1.25F;
 
 uint32_t next_size(const AtlasRequest& request, uint32_t held)

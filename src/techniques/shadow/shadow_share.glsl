@@ -32,7 +32,8 @@ struct Teeth {
     uint seed;
 };
 
-// Two points near the surface point, at which the light is looked up instead.
+// Two points near the surface point. The light is looked up at these two points in place of the surface
+// point.
 struct EdgePoints {
     vec3 first;
     vec3 second;

@@ -18,8 +18,9 @@ float wave_stream(vec2 wave, float amplitude, float phase, vec2 place_mm)
     return amplitude * sin(rad_per_turn * (dot(wave, place_mm) + phase));
 }
 
-// Weight of a zone's own flow at a place. `square` is the squared distance from the zone's middle, in squared
-// distances from the middle to the edge; the weight is 1 up to half-way, 0 beyond the edge.
+// Weight of a zone's own flow at a place. `square` is the squared distance of the place from the zone's
+// middle, divided by the squared distance from the middle to the edge. The weight is 1 up to half-way, 0
+// beyond the edge.
 float zone_share(float square)
 {
     return 1.0f - smoothstep(0.25f, 1.0f, square);

@@ -296,8 +296,8 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
 #endif
 }
 
-// Depth of a triangle at the edge functions `edges`. All code paths must give identical bits, because the
-// picture's first pixel decides which code path draws a triangle.
+// Depth of a triangle at a pixel with the edge functions `edges`. All code paths must give identical bits,
+// because a triangle can take another code path in a picture that begins at another pixel.
 float depth_of(vec3 edges, float inverse_area, vec3 depth)
 {
     precise vec3 weights = edges * inverse_area;

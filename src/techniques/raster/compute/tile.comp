@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each workgroup draws one triangle in one tile of the picture at a time. Each thread takes a column, or a
-// part of one if the triangle is narrow.
+// part of a column if the triangle is narrow.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

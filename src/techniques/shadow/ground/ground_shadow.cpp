@@ -95,7 +95,7 @@ shared::FieldSector sunward_of(const shared::FieldSector& sector, const glm::dve
 {
     shared::FieldSector sunward = sector;
     for (int line = 0; line < 2; ++line) {
-        // The sun's direction crosses this line, so it does not limit the texels.
+        // Texels towards the sun lie beyond this side of the sector, so the side does not limit them.
         const bool leaves = glm::dot(sector.sides[line], glm::vec2(towards_sun.x, towards_sun.z)) < 0.0F;
         sunward.sides[line] = leaves ? glm::vec2(0.0F) : sector.sides[line];
         for (glm::vec2& offset : sunward.offsets) {

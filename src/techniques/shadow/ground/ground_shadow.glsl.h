@@ -21,8 +21,8 @@ struct GroundLevel {
     float texel_m;
 };
 
-// Constants for copying new fields into the kept ones. The third coordinate of the dispatch selects the
-// field.
+// Constants for copying new ground fields into the buffer that is kept for later frames. The third coordinate
+// of the dispatch selects the field.
 struct GroundKeepConstants {
     uint size;
     uint level[5]; // level number of each field; level 0 is the finest

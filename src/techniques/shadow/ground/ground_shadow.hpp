@@ -31,8 +31,9 @@ struct GroundSight {
     double relief_m = 0.0; ///< height from the lowest ground to the highest visible object
 };
 
-/// The texels of ground fields `numbers` that lookups for visible points can reach: a sector between two
-/// lines near the eye. If the eye looks steeply up or down, the sector contains all texels.
+/// The texels of the ground fields with the given `numbers` that lookups for visible points can reach: a
+/// sector between two lines near the eye. If the eye looks steeply up or down, the sector contains all
+/// texels.
 [[nodiscard]] shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& levels,
                                               const LevelNumbers& numbers);
 

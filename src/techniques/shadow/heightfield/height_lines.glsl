@@ -12,7 +12,7 @@ uint step_total()
     return sweep.steps_along_y != 0u ? sweep.size.y : sweep.size.x;
 }
 
-// Number of texels of the field across a step.
+// Number of the field's texels in one step of the sweep (a row or a column).
 int texels_across()
 {
     return int(sweep.steps_along_y != 0u ? sweep.size.x : sweep.size.y);

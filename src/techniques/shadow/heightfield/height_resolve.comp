@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per texel: the horizon from the two lines next to it, and the share of the sun above the
-// horizon.
+// One thread per texel: the horizon from the sweep's two lines next to the texel, and the share of the sun
+// above the horizon.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -16,7 +16,8 @@ enum class HeightMethod : uint8_t {
     sweep,   ///< walks along lines away from the sun; constant cost per texel over the whole field
     pyramid, ///< searches from each texel towards the sun, over a pyramid of maximum heights
     march,   ///< traces a ray from each texel to the sun's centre, then blurs
-    above    ///< blurs the exact shares of `pyramid`, as an image of the ground seen from straight above
+    above    ///< blurs the shares of the sun that the method `pyramid` computes exactly, as an image of the
+             ///< ground seen from straight above
 };
 
 /// Whether a method blurs shares of the sun, so that it knows no horizons.
@@ -28,7 +29,7 @@ enum class HeightMethod : uint8_t {
 struct HeightShadowStyle {
     HeightMethod method = HeightMethod::sweep;
     uint32_t march_steps = 512; ///< longest distance in texels at which ground throws a shadow
-    float blur_m = 0.5F;        ///< standard deviation of the blur of march and above
+    float blur_m = 0.5F;        ///< standard deviation of the blur in the methods `march` and `above`
 
     bool operator==(const HeightShadowStyle&) const = default;
 };

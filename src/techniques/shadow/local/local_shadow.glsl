@@ -244,8 +244,8 @@ float local_soft_visibility(LocalShadow shadow, vec3 light_position, vec3 point,
                             float widest_m)
 {
     LampDisc disc = lamp_disc(point - light_position, normal);
-    // The reach has a margin, because the search may have missed the widest penumbra. It is at least one
-    // texel.
+    // The reach has a margin, because the search may have missed the widest penumbra. The reach is at least
+    // one texel.
     float reach_m = max(1.1 * widest_m, texel_width(shadow) * length(disc.from_light));
     uint directions = widest_m > 0.0 ? lamp_directions : 0u;
     uint hidden = 0u;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One workgroup merges one tile of a level's square: the depths of moving objects, drawn into a separate
+// One workgroup merges one tile of a clipmap level: the depths of moving objects, drawn into a separate
 // picture, with the depths of static objects. Keeps the depth nearer to the sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
