@@ -134,7 +134,7 @@ void set_daylight(Lighting& lighting, const Daylight& daylight, const LightStyle
         return;
     }
     const float scale = std::exp2(style.exposure_stops) / (1.0F + style.fill);
-    // A black sun is added too, so that an outdoor scene keeps its sky in a moonless night.
+    // A sun of brightness 0 is added too, so that an outdoor scene keeps its sky in a moonless night.
     std::vector records{parallel_light(daylight.towards_sun, scale * daylight.sun)};
     if (luminance(daylight.moon) > 0.0F) {
         records.push_back(parallel_light(daylight.towards_moon, scale * daylight.moon));

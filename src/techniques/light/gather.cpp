@@ -72,8 +72,8 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
     return record;
 }
 
-/// Share of a local light that arrives at a distance. Inverse-square lights are taken without their range
-/// window.
+/// Share of a local light that arrives at a distance. For inverse-square lights, the window that fades the
+/// light to 0 at its range is left out.
 float weakened(const shared::LightRecord& record, float distance_2)
 {
     return is_unit_volume(record) ? estampe::weakened(LightFalloff::unit_volume, record.range_m, distance_2)
@@ -138,7 +138,8 @@ float remembered_exposure_key(const std::vector<shared::LightRecord>& records, c
                               const ScenePose& pose, const glm::dvec3& anchor, ExposureKeyCache& memory)
 {
     const auto is_same = [](const shared::LightRecord& a, const shared::LightRecord& b) {
-        // Numbers that are equal but have different bits only cost another computation.
+        // Numbers that are equal but have different bits, such as 0 and -0, only cause an unnecessary
+        // computation.
         return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
     };
     if (!std::ranges::equal(records, memory.records, is_same) || anchor != memory.anchor ||
@@ -238,7 +239,8 @@ std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::d
                                             const LightStyle& style)
 {
     constexpr float daylight = 0.8F;
-    // Light on the metered surfaces without ambient light. A lone lamp leaves them at a half tone, for depth.
+    // Wanted light on the surfaces that the exposure is measured on, without ambient light. A lone lamp
+    // leaves these surfaces at a half tone, for depth.
     const float white = shelter.towards_light ? 0.62F : 0.5F;
     const glm::vec3 offset(shelter.origin - anchor);
     float size_2 = 0.0F;
@@ -337,7 +339,7 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
                                 : exposure_key(records, scene, pose, anchor);
     }
     lighting.directional_count = put_suns_first(records);
-    // With metering by the page, exposure_stops is added later.
+    // If the page's brightness sets the exposure, a later pass adds exposure_stops.
     const float stops = style.metering == Metering::page ? 0.0F : style.exposure_stops;
     const float metered = is_manual ? manual_exposure(style.ev100) : key > 0.0F ? 1.0F / key : 1.0F;
     lighting.exposure = metered * std::exp2(stops);

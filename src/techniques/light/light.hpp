@@ -175,9 +175,10 @@ struct LightInputs {
     bool has_emissive = false;
     bool keeps_strongest = false; ///< also outputs the direction of the strongest light
     bool keeps_sun = false;       ///< also outputs the visible share of the first directional light
-    bool counts_visits = false;   ///< outputs numbers of local lights instead of light: tested, and in range
-    bool looks_at_all = false;    ///< tests every light at every pixel, as a reference
-    bool has_links = false;       ///< a light lights only the draw calls that share a group with it
+    bool counts_visits = false; ///< for tests: writes numbers of local lights instead of light: how many are
+                                ///< tested, and how many are in range
+    bool looks_at_all = false;  ///< tests every light at every pixel, as a reference
+    bool has_links = false;     ///< a light lights only the draw calls that share a group with it
     glm::uvec2 size_px{0};
 };
 

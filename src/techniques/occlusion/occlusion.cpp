@@ -81,7 +81,8 @@ float radius_of(const OcclusionStyle& style, float scene_radius_m)
 
 uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm)
 {
-    // Additional reach of smoothing, which reads up to four half-page pixels beyond the radius.
+    // Additional reach of smoothing, which reads up to four pixels of the half page (every second pixel)
+    // beyond the radius.
     constexpr uint32_t smoothed_px = 8;
     return style.enabled ? static_cast<uint32_t>(std::ceil(style.reach_mm * pixels_per_mm)) + smoothed_px
                          : 0U;

@@ -88,7 +88,7 @@ void main()
         if (i == 0) {
             pixel_m = pixel_size_m(frame, there);
         }
-        // If a ray enters again without an exit, the surface is a thin sheet.
+        // If the ray enters a body again without an exit, the surface is a thin sheet.
         uint left = goes_out ? entered - 1u : style_variant;
         float inside_m = goes_in ? scatter_of(left).a
                                  : distance(there, anchor_at(frame, middle_px, max(entered_depth, 1e-9)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per half-page pixel finds where the view ray leaves the body that it entered: at the next
-// surface behind, if that surface is a back face. Otherwise the body is a thin sheet, and the ray leaves at
-// the entry point. The thread lists the tiles whose exits need lighting. Bodies that let almost no light
-// through need none.
+// One thread per pixel of the half page (every second pixel) finds where the view ray leaves the body that it
+// entered: at the next surface behind, if that surface is a back face. Otherwise the body is a thin sheet,
+// and the ray leaves at the entry point. The thread lists the tiles whose exits need lighting. Bodies that
+// let almost no light through need no lighting.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

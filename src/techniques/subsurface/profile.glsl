@@ -31,14 +31,15 @@ float deviation_tx(int level)
     return sqrt(blurred + between_texels_variance);
 }
 
-// Gaussians of the profile with a larger deviation read the map. Smaller Gaussians use the light on the page.
+// Standard deviation above which Gaussians of the diffusion profile read the map. Narrower Gaussians use the
+// light on the page.
 float kept_below_tx()
 {
     return 0.5 * deviation_tx(-1);
 }
 
-// Gaussians of the profile with a larger deviation read this blur level. Smaller Gaussians read the previous
-// level.
+// Standard deviation above which Gaussians of the diffusion profile read this blur level. Narrower Gaussians
+// read the previous level.
 float level_from_tx(int level)
 {
     return sqrt(deviation_tx(level - 1) * deviation_tx(level));

@@ -100,22 +100,22 @@ float deviation_px(int level)
     return sqrt(blurred + half_page_variance_px2);
 }
 
-// Gaussians of the profile with a larger deviation read the half page. Smaller Gaussians use the light on the
-// full page.
+// Standard deviation above which Gaussians of the diffusion profile read the half page (every second pixel).
+// Narrower Gaussians use the light on the full page.
 float kept_below_px()
 {
     return 0.5 * deviation_px(-1);
 }
 
-// Gaussians of the profile with a larger deviation read this blur level. Smaller Gaussians read the previous
-// level.
+// Standard deviation above which Gaussians of the diffusion profile read this blur level. Narrower Gaussians
+// read the previous level.
 float level_from_px(int level)
 {
     return sqrt(deviation_px(level - 1) * deviation_px(level));
 }
 
-// Factor on squared distances along the view in the weight of a blur tap; the deviation in the scene equals
-// the taps' distance. 0 for pixels that scatter no light.
+// Factor on the squared distance along the view in the weight of a blur tap (one texel read). The weight is a
+// Gaussian with the taps' distance as its deviation. 0 for pixels that scatter no light.
 float falloff_at(vec4 own, int apart)
 {
     float deviation_m = 2.0 * float(apart) * pixel_m_at(own.w);

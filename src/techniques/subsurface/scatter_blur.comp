@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per half-page pixel spreads light along rows or columns, by five taps of a B-spline. Pixels too
-// far apart along the view exchange no light; a pixel keeps their share. This shader is for CPUs, whose
-// threads share memory slowly; scatter_blur_tile.comp does both directions at once.
+// One thread per pixel of the half page (every second pixel) spreads light along rows or columns, by five
+// taps of a B-spline. Pixels too far apart along the view exchange no light; the light that they would
+// exchange stays in place. This shader is for CPUs, whose threads share memory slowly; scatter_blur_tile.comp
+// does both directions at once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -40,8 +41,8 @@ void main()
     vec4 own = texelFetch(light_image, half_pixel, 0);
     int apart = 1 << constants.level;
     float by = falloff_at(own, apart);
-    // Computed at run time, because Mesa replaces a vector that a specialization constant selects with the
-    // constant's default.
+    // The blur's direction is computed at run time, because Mesa replaces a vector that a specialization
+    // constant selects with the constant's default.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
     int taps = by < 0.0 ? 4 : 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One workgroup spreads light in a tile of pixels that are as far apart as the taps. It blurs along rows and
 // then along columns, by five taps of a B-spline each. Pixels too far apart along the view exchange no light;
-// a pixel keeps their share.
+// the light that they would exchange stays in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

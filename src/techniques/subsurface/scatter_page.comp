@@ -43,8 +43,8 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/subsurface/scatter.glsl"
 
 const float most_light = 65504.0; // largest number that a half float can hold
-// Least weight of a half-page sample, so that a feature too thin for the half page takes transmitted light
-// from its neighbours.
+// Least weight of a sample of the half page (every second pixel), so that a feature too thin for the half
+// page takes transmitted light from its neighbours.
 const float least_near = 1e-4;
 
 void main()
@@ -66,8 +66,8 @@ void main()
     bool is_shone_through = shines && takes && light_through(style_variant).a > 0.0;
     float tolerance_m = max(4.0 * pixel_m, max(max(scatter_m.x, scatter_m.y), scatter_m.z));
     float per_variance = -0.5 / max(tolerance_m * tolerance_m, 1e-12);
-    // Half-page pixels lie at the middle of four page pixels. Transmitted light was computed at the first of
-    // the four.
+    // Pixels of the half page (every second pixel) lie at the middle of four page pixels. Transmitted light
+    // was computed at the first of the four.
     uvec2 on_page = uvec2(pixel) + frame.tile_from_px;
     vec2 place = 0.5 * vec2(on_page) - 0.25 - vec2(constants.from_half);
     ivec2 first = ivec2(floor(place));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per half-page pixel collects the light that spreads from it, with transmitted light from the far
-// side. It also records which blurs are needed, and lists the squares of the page that receive light.
+// One thread per pixel of the half page (every second pixel) collects the light that spreads from this pixel,
+// with transmitted light from the far side. It also records which blurs are needed, and lists the squares of
+// the page that receive light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -140,7 +141,7 @@ void main()
         float widest = max(max(spread_px.r, spread_px.g), spread_px.b);
         bool scatters = !holds_all(kept_below_px(), widest);
         // The light of neighbouring pixels is averaged, so that the edge of a shadow does not jump between
-        // half-page pixels.
+        // pixels of the half page (every second pixel).
         vec4 sum = vec4(0.0);
         int i = 0;
         int corners = scatters || !looks_less ? 4 : 1;

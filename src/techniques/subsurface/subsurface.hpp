@@ -30,7 +30,8 @@ struct SubsurfaceStyle {
     float sheet_m = 0.0F;
     float behind = 0.0F;
     float behind_blur = 0.5F;
-    /// Strength of the tint by the surface's own colour, for the file's transmission.
+    /// How strongly a body's own colour tints the background behind the body, if the scene file gives the
+    /// body transmission.
     float behind_tint = 0.0F;
     bool transmission = true;
     float reach_mm = 20.0F;

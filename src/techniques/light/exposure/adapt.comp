@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Constants
     AdaptConstants constants;
 };
 
-// Metered are the pixels from the 70th percentile of the page's brightness to the 90th.
+// The exposure is measured on the pixels from the 70th to the 90th percentile of the page's brightness.
 const float key_from = 0.7;
 const float key_to = 0.9;
 

@@ -56,8 +56,9 @@ struct Exposed {
     gpu::BufferId state;
 };
 
-/// Scales the light so that its mean logarithm over the metered pixels becomes that of 1. Metered are lit
-/// pixels from the 70th to the 90th percentile of brightness. Without lit pixels the exposure stays.
+/// Scales the light so that its mean logarithm over the metered pixels becomes 0, the logarithm of 1.
+/// The metered pixels are the lit ones from the 70th to the 90th percentile of brightness. Without lit pixels
+/// the exposure stays.
 ///
 /// Writes  the scaled light; the state
 /// Cost    two full-screen dispatches and one of a single thread

@@ -38,8 +38,9 @@ float facing_area(Disc disc, vec3 way)
     return max(0.5f * (both_sides + along), 0.0f);
 }
 
-// Occlusion by one disc: the form factor A cos cos / (pi r^2 + A) of a disc at `way` from a receiver with
-// this normal, faded to 0 at `radius_m`.
+// Occlusion by one disc at `way` from a receiver with this normal: the form factor A cos cos / (pi r^2 + A),
+// faded to 0 at `radius_m`. A is the disc's area and r its distance; the cosines are those of the angles at
+// both ends.
 float hidden_by_disc(Disc disc, vec3 way, vec3 normal, float radius_m)
 {
     float r_2 = dot(way, way);
@@ -80,8 +81,8 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         if (DISCS_BOUNCE) {
             sum.bounced += hidden * texelFetch(disc_colors, int(first + node)).rgb;
         }
-        // The traversal moves to the first child, or to the next node. After a parent's last child, it moves
-        // up.
+        // The traversal of the tree moves to the first child, or to the next node. After a parent's last
+        // child, it moves up.
         bool goes_down = goes_on && !is_whole;
         bool goes_past = goes_on && is_whole;
         level -= goes_down ? 1u : 0u;

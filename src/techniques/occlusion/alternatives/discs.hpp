@@ -85,8 +85,8 @@ struct VertexOcclusion {
 [[nodiscard]] VertexOcclusion add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
                                         const DiscSettings& settings);
 
-/// Adds a pass that sums the occlusion by discs per pixel. The result equals splatting every disc over all
-/// pixels within its radius.
+/// Adds a pass that sums the occlusion by discs per pixel. The result is the same as if every disc were
+/// drawn over all pixels within its radius.
 ///
 /// Cost    one full-screen dispatch, proportional to the logarithm of the discs: 40 ms and more on a CPU
 /// Source  as add_discs()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per half-page pixel takes a Gaussian mean of depths along a row or a column. Reversed depth is
-// linear over the page on a plane, so a plane equals its own mean; taps count in pairs to keep this at the
-// page's edge.
+// One thread per pixel of the half page (every second pixel) takes a Gaussian mean of depths along a row or a
+// column. On a plane, reversed depth is linear over the page, so a plane equals its own mean. Taps (samples)
+// count in pairs, so that this also holds at the page's edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -50,8 +50,8 @@ void main()
     if (any(greaterThanEqual(uvec2(half_pixel), constants.half_px))) {
         return;
     }
-    // Computed at run time, because Mesa replaces a vector that a specialization constant selects with the
-    // constant's default.
+    // The blur's direction is computed at run time, because Mesa replaces a vector that a specialization
+    // constant selects with the constant's default.
     vec2 along = vec2(1.0 - float(is_upright), float(is_upright));
     float step_px = max(0.5 * constants.reach_px / float(unsharp_taps), 1.0);
     vec2 sum = vec2(depth_at(half_pixel), 1.0);

@@ -45,7 +45,7 @@ void main()
         sum += (is_there ? bilinear.x * bilinear.y : 0.0) * vec2(mean, 1.0);
     }
     // In perspective, reversed depth is 1 / distance, so the result is the relative distance behind the mean.
-    // In parallel projection it is relative to the radius.
+    // In parallel projection, the distance is relative to the radius.
     float behind = sum.y > 0.0 ? max(sum.x / sum.y - depth, 0.0) : 0.0;
     behind /= frame.is_orthographic != 0u ? constants.radius_m / size_of(frame.anchor_from_clip[2].xyz)
                                           : max(sum.x / max(sum.y, 1e-6) + depth, 1e-12);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per half-page pixel estimates ambient visibility from the depths around it. Along slices through
-// the view ray, each step blocks the sectors of the hemisphere between the front and the assumed back of the
-// occluder. Each slice has four masks, for occluders within four radii, so that farther occluders count less.
+// One thread per pixel of the half page (every second pixel) estimates ambient visibility from the depths
+// around it. Along slices through the view ray, each step blocks the sectors of the hemisphere between the
+// front and the assumed back of the occluder. Each slice has four masks, for occluders within four radii, so
+// that farther occluders count less.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

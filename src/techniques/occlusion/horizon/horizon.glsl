@@ -2,14 +2,14 @@
 #ifndef ESTAMPE_HORIZON
 #define ESTAMPE_HORIZON
 
-// Angles in a slice, which is a plane through the view ray: 0 is towards the eye, positive is the current
-// side. The hemisphere above the surface is divided into sectors of equal light.
+// Angles in a slice, which is a plane through the view ray: 0 is towards the eye, positive angles are on the
+// side that is being sampled. The hemisphere above the surface is divided into sectors of equal light.
 
 const uint horizon_sectors = 32u;
 
 // Ambient light in a slice (plane through the view ray) from angle 0 to `angle`, given by its cosine and
 // sine, on a surface whose normal leans by an angle n with cosine `cos_n` and sine `sin_n`: the integral of
-// cos(a - n) sin(a).
+// cos(a - n) sin(a) over the angles a.
 float slice_light(float angle, float cosine, float sine, float cos_n, float sin_n)
 {
     float cos_double = (2.0f * cosine * cosine - 1.0f) * cos_n + 2.0f * sine * cosine * sin_n;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel interpolates the half page's visibility between samples on the pixel's own surface.
+// One thread per pixel interpolates the visibility of the half page (every second pixel) between samples on
+// the pixel's own surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,7 +28,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/occlusion/half_page.glsl"
 
-// Smallest total weight of half-page samples; decides if none lies on the pixel's surface.
+// Small weight that every sample of the half page gets in addition. It only matters if no sample lies on the
+// pixel's surface.
 const float least_weight = 1e-3;
 
 void main()

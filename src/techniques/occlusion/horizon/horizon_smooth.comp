@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per half-page pixel averages four neighbours in a row or column that lie on its own surface.
-// Both passes together cover each direction of the pattern once.
+// One thread per pixel of the half page (every second pixel) averages four neighbours in a row or column that
+// lie on its own surface. The two passes together average each of the pattern's 16 directions once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -39,8 +39,8 @@ void main()
     vec2 own = uintBitsToFloat(texelFetch(open_image, half_pixel, 0).xy);
     vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).y);
     DepthPlane plane = depth_plane(pixel, max(own.y, 1e-9), normal, 0.1 * constants.radius_m);
-    // Computed at run time, because Mesa replaces a vector that a specialization constant selects with the
-    // constant's default.
+    // The direction is computed at run time, because Mesa replaces a vector that a specialization constant
+    // selects with the constant's default.
     ivec2 along = ivec2(1 - int(is_upright), int(is_upright));
     vec2 sum = vec2(own.x, 1.0);
     for (int i = 1; i <= 4; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per texel of the map spreads light along rows or columns, by five taps of a B-spline. Texels
-// across a seam, which are farther apart in the scene than in the map, exchange no light; a texel keeps their
-// share.
+// across a seam, which are farther apart in the scene than in the map, exchange no light; the light that they
+// would exchange stays in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -37,8 +37,8 @@ void main()
     vec4 own = texelFetch(light_image, texel, 0);
     vec4 point = texelFetch(point_image, texel, 0);
     int apart = 1 << constants.level;
-    // Computed at run time, because Mesa replaces a vector that a specialization constant selects with the
-    // constant's default.
+    // The blur's direction is computed at run time, because Mesa replaces a vector that a specialization
+    // constant selects with the constant's default.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
     int taps = own.w > 0.0 ? 4 : 1;
