@@ -8,7 +8,7 @@
 
 layout(binding = DRAW_TEXELS_BINDING) uniform usamplerBuffer draw_texels;
 
-// The fields of a DrawRecord that shading needs.
+// The fields of a DrawRecord that shading reads.
 struct DrawPart {
     uint first_posed_vertex;
     uint first_rest_vertex;
@@ -22,7 +22,7 @@ DrawPart draw_at(uint draw)
     return DrawPart(words.x, words.y, words.z, words.w);
 }
 
-// The fields of a DrawRecord that posing its vertices needs.
+// The fields of a DrawRecord that are read to pose its vertices.
 struct DrawPose {
     mat4 anchor_from_object;
     uint vertex_count;

@@ -6,7 +6,7 @@
 // form: the blurred layers, composited on paper, give the blurred picture with sharp paper.
 
 struct LayerSample {
-    // Paint that is visible beside the ink; in w, ink of strokes that is visible beside contour lines.
+    // Paint that is not hidden by ink; in w, ink of strokes that is not hidden by contour lines.
     vec4 paint;
     vec4 lines; // premultiplied colour of contour lines, and their coverage
 };

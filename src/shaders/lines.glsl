@@ -4,11 +4,11 @@
 
 #include "shaders/hash.glsl"
 
-// Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v. The spacing S is a power
-// of two in the unit of v, chosen from the page width and the darkness t so that S t lies between one and two
-// widths. Lines of the coarser spacing (old lines) have the full width W. Lines between them (newborn lines)
-// have the remaining ink, t S - W. So the ink is t at every distance and tilt. Coming nearer only adds
-// lines, as does a darker tone. Nested strokes are from Praun et al., "Real-Time
+// Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v, for whole numbers i. The
+// spacing S is a power of two in the unit of v, chosen from the page width and the darkness t so that S t
+// lies between one and two widths. Lines of the coarser spacing (old lines) have the full width W. Lines
+// between them (newborn lines) have the remaining ink, t S - W. So the ink is t at every distance and tilt.
+// Coming nearer only adds lines, as does a darker tone. Nested strokes are from Praun et al., "Real-Time
 // Hatching", SIGGRAPH 2001.
 
 // Powers of two by bit operations, for x above 0: exact, and much cheaper than exp2 and log2.
@@ -27,7 +27,8 @@ int ceil_log2(float x)
     return ((floatBitsToInt(x) + 0x7fffff) >> 23) - 127;
 }
 
-// Random identity of a line or cell boundary, which stays unchanged at every zoom: i = odd * 2^level.
+// Random identity of the line or cell boundary with the number i = odd * 2^level. It stays unchanged at every
+// zoom.
 uint dyadic_identity(int i, int level, uint seed)
 {
     // The exponent of the lowest set bit of i, read from its float representation.
@@ -86,13 +87,13 @@ struct HatchLineStyle {
     float growth;
 };
 
-// The hatching lines of one family near a pixel. Line numbers count half spacings: even lines are old (of the
-// coarser spacing), odd lines newborn (between them).
+// The hatching lines of one family (a set of parallel lines) near a pixel. Line numbers count half spacings:
+// even lines are old (of the coarser spacing), odd lines newborn (between them).
 struct Lines {
     int level; // logarithm to base 2 of the lines' spacing
     float spacing;
     float width;   // width of an old line, in the unit of v
-    float newborn; // ink of a newborn line as a share of an old line's ink, 0 to 1
+    float newborn; // ink of a newborn line (between two old lines) as a share of an old line's ink, 0 to 1
 };
 
 // Spacing and width of the lines at a pixel. `darkness` in (0, 1] is the coverage of lines without gaps.
@@ -118,7 +119,7 @@ uint line_identity(LineField field, Lines lines, int number, uint seed)
     return dyadic_identity(field.wraps ? folded(number, count) : number, lines.level, seed);
 }
 
-// Values that the hatching lines of one family share at a pixel.
+// Values that the hatching lines of one family (a set of parallel lines) share at a pixel.
 struct LineScale {
     // Cells of the wobble per unit of u, a power of two; a wave is about two cells long.
     float wobble_frequency;
@@ -199,8 +200,9 @@ float stroke_profile(LineField field, HatchLineStyle style, LineScale scale, uin
                           : 1.0f;
 }
 
-// Width factor along a newborn line with `share` of its ink, drawn as strokes that grow one after another: 0
-// or 1 with soft ends. The strokes keep their places in u while the line is newborn.
+// Width factor along a newborn line (between two old lines) with `share` of its ink, drawn as strokes that
+// grow one after another: 0 or 1 with soft ends. The strokes keep their places in u while the line is
+// newborn.
 float grown_profile(LineField field, HatchLineStyle style, Lines lines, uint identity, float share)
 {
     const float spread = 0.5f; // share of the growth during which a single stroke grows
@@ -224,15 +226,15 @@ float pressure_at(LineField field, LineScale scale, uint identity)
     return 1.0f + scale.pressure * wave(scale.wobble_frequency * field.u + trait(identity, 5u));
 }
 
-// The hatching lines of one family near a pixel, as they are drawn.
+// The hatching lines of one family (a set of parallel lines) near a pixel, as they are drawn.
 struct DrawnLines {
     Lines lines;
     LineScale scale;
-    float newborn_length; // share of a newborn line's length that is drawn
+    float newborn_length; // drawn share of the length of a newborn line (between two old lines)
     float newborn_width;
 };
 
-// Computes the lines to draw. `dark` is the darkness that the family must reach.
+// Computes the lines to draw. `dark` is the darkness that the family of lines must reach.
 DrawnLines drawn_lines(LineField field, HatchLineStyle style, float dark)
 {
     DrawnLines drawn;
@@ -242,7 +244,8 @@ DrawnLines drawn_lines(LineField field, HatchLineStyle style, float dark)
     drawn.newborn_length = 1.0f;
     drawn.newborn_width = drawn.lines.width * drawn.lines.newborn;
     if (style.growth > 0.0f) {
-        // The width of newborn strokes is limited so that they do not touch the old lines beside them.
+        // The width of newborn strokes (between old lines) is limited so that they do not touch the old
+        // lines.
         float room = 0.7f * (drawn.lines.spacing - drawn.lines.width) / drawn.lines.width;
         float share = max(pow(drawn.lines.newborn, style.growth), drawn.lines.newborn / room);
         drawn.newborn_length = clamp(share, 1e-6f, 1.0f);
@@ -263,7 +266,7 @@ float drawn_width(LineField field, HatchLineStyle style, DrawnLines drawn, int i
     return (is_old ? drawn.lines.width : drawn.newborn_width) * profile;
 }
 
-// Ink of one family of hatching lines at a pixel of darkness `dark`, box-filtered over the pixel.
+// Ink of one family of (parallel) hatching lines at a pixel of darkness `dark`, box-filtered over the pixel.
 float line_ink(LineField field, HatchLineStyle style, float dark, uint seed)
 {
     float g = max(field.v_per_px, 1e-12f);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_STROKE_KIND_GLSL_H
 #define ESTAMPE_STROKE_KIND_GLSL_H
-// The direction that a surface's strokes follow: three bits of the surface's draw word. All kinds except uv,
-// form and page slice the rest pose by planes, and differ in these planes.
+// The direction that a surface's strokes follow: three bits of the pixel's word in the draw image, which also
+// holds the draw call. All kinds except uv, form and page slice the rest pose by planes, and differ in these
+// planes.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -19,7 +20,7 @@ SHARED_CONSTANT uint strokes_light = 5U;
 SHARED_CONSTANT uint strokes_page = 6U;
 SHARED_CONSTANT uint strokes_slope = 7U; // strokes along the ripples of the terrain, bent by its slopes
 SHARED_CONSTANT uint strokes_automatic =
-    8U; // never in a draw word; means slope for terrain, uv if suitable, else solid
+    8U; // never in the draw image; stands for slope on terrain, for uv where UVs are suitable, else for solid
 
 #ifdef __cplusplus
 } // namespace estampe::shared

@@ -6,8 +6,8 @@
 
 #include "shaders/stroke_kind.glsl.h"
 
-// The word of a pixel in the surface's draw image: draw call + 1 (0: no surface), and material flags that
-// many passes test.
+// The word of a pixel in the image Surface::draw: draw call + 1 (0: no surface), and material flags that many
+// passes test.
 
 #define DRAW_PAPER (1u << 31) // blank paper: the surface receives shadow, but has neither wash nor outline
 #define DRAW_UNLIT (1u << 30)

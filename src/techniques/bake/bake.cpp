@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bake's fingerprint, the smoothing and layout of the texels' light, and the rounds of paths.
+// Bakes a lightmap: the fingerprint of its inputs, the rounds of light paths, and the smoothing and layout of
+// the texels' light.
 #include "techniques/bake/bake.hpp"
 
 #include <algorithm>

@@ -304,8 +304,8 @@ bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float re
 
 glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& random) const
 {
-    // The single lamp that is sampled. Its probability is proportional to its brightness here, so its light
-    // is scaled to the sum of all lamps.
+    // A single lamp is sampled. It is chosen with a probability proportional to its brightness here, so its
+    // light is scaled to the sum of all lamps.
     Beam chosen;
     float chosen_brightness = 0.0F;
     float sum = 0.0F;

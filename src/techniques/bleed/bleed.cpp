@@ -12,7 +12,7 @@
 namespace estampe::bleed {
 namespace {
 
-constexpr float largest_radius_px = 96.0F; // radius of 3 mm at 600 dpi
+constexpr float largest_radius_px = 96.0F; // about the blur's radius for a bleed 3 mm wide, at 600 dpi
 constexpr float sigmas_taken_in = 2.5F;
 
 float sigma_px(const BleedStyle& style, float pixels_per_mm)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel fades every layer with distance: colour towards the sky's, strokes and lines to
-// nothing.
+// One thread per pixel fades every layer with distance: colour fades into the sky's colour, strokes and lines
+// fade to nothing.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

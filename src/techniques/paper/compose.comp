@@ -30,9 +30,9 @@ layout(binding = 7) uniform sampler2D smoke_paint_image; // paint of smoke, for 
 layout(binding = 8) uniform sampler2D smoke_ink_image;
 layout(binding = 9) uniform sampler2D cover_image; // coverage by objects, for compose_has_cover
 layout(binding = 10, rgba16f) writeonly uniform image2D out_picture;
-layout(binding = 11, rgba32f) writeonly uniform image2D out_stage; // output for compose_is_staged
+layout(binding = 11, rgba32f) writeonly uniform image2D out_stage; // layers up to a stage
 
-layout(std430, binding = 12) writeonly buffer Pixels // output for compose_develops
+layout(std430, binding = 12) writeonly buffer Pixels // output for compose_develops, which writes sRGB bytes
 {
     uint pixels[];
 };

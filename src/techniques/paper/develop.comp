@@ -38,7 +38,7 @@ void main()
     }
     ivec2 at = ivec2(pixel);
     vec4 color = texelFetch(picture_image, at, 0);
-    // Rounded to half floats like opaque pictures, so that the bytes are equal.
+    // Colours are rounded to half floats like those of opaque pictures, so that the bytes are equal.
     if (is_transparent && !keeps_floats) {
         color.rgb = vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.bb)).x);
     }

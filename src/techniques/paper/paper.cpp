@@ -29,8 +29,8 @@ struct Composed {
     gpu::BufferId pixels;
 };
 
-/// The output that is wanted from the compose pass: without `stage` and `pixels`, a picture for
-/// add_develop().
+/// The output that is wanted from the compose pass. If neither `stage` nor `pixels` is set, the output is a
+/// picture for add_develop().
 struct Wanted {
     std::optional<Stage> stage = {};
     std::optional<gpu::BufferId> pixels = {};

@@ -27,7 +27,8 @@ SHARED_CONSTANT uint smoke_light_cells = 2U; // cells of smoke per side of a cel
 SHARED_CONSTANT uint smoke_most_lights = 4U;
 SHARED_CONSTANT uint smoke_most_boxes = 8U;
 
-// Shadow map of a light: none, the sun's, or the local light's with this value minus smoke_local_shadow.
+// Number of a light's shadow map: no map, the sun's map, or from smoke_local_shadow on the maps of local
+// lights.
 SHARED_CONSTANT uint smoke_no_shadow = 0U;
 SHARED_CONSTANT uint smoke_sun_shadow = 1U;
 SHARED_CONSTANT uint smoke_local_shadow = 2U;

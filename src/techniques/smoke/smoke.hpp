@@ -115,7 +115,7 @@ struct ViewInputs {
 [[nodiscard]] gpu::ImageId add_march(gpu::Graph& graph, const Volume& volume, const SmokeStyle& style,
                                      const ViewInputs& in);
 
-/// Inputs of the smoke's shadow on the scene, which is the share of sunlight that smoke lets through to
+/// Inputs of the smoke's shadow on the scene. The result is the share of sunlight that smoke lets through to
 /// visible surfaces, r16f, multiplied by `share` if given. Cost: a full-screen dispatch, a texel read per
 /// cell between the surface and the sun within boxes.
 struct ThrownInputs {

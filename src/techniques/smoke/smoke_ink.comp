@@ -87,8 +87,8 @@ float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel
     return nearest;
 }
 
-// Share of the smoke that stays visible beside the scene's lines in front of it; half of an outline lies
-// beyond its object.
+// Share of the smoke's ink that stays visible beside contour lines of objects in front of it, because half of
+// an outline's width lies beyond its object.
 float left_by_scene(ivec2 pixel, float own_depth)
 {
     float line = texelFetch(line_image, pixel, 0).a;

@@ -46,8 +46,8 @@ const style::Table<SmokeStyle>& smoke_table()
                     "How the pressure of the air in smoke is computed. spectral: exactly, without objects "
                     "in the smoke; multigrid: around objects; jacobi: simplest, least exact; mass: not at "
                     "all, no smoke is lost; automatic: spectral or multigrid.")
-            // A pass of the device per round, twice in a step that reflects; a graph has room for 240 of
-            // them.
+            // Each round of Jacobi's iteration is one pass, or two passes in a step of advection-reflection.
+            // A graph has room for 240 passes of smoke.
             .integer("jacobi_passes", &SmokeStyle::jacobi_passes, {1, 100}, "",
                      "How often the simplest method (jacobi) repeats its computation of the air's pressure. "
                      "More lets smoke swirl more truly and is slower. Only used when smoke.solver is jacobi.")

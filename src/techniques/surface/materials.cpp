@@ -25,8 +25,8 @@ size_t class_of(const Image& image)
     return size_class;
 }
 
-/// A class of texture sizes with a free layer: `wanted` if possible, else the next smaller class, else a
-/// larger class. If no class has a free layer, the number of classes.
+/// Finds a class of texture sizes with a free layer: `wanted` if possible, else the next smaller class, else
+/// a larger class. Returns the number of classes if no class has a free layer.
 size_t class_with_room(const TexturePlan& plan, size_t wanted, uint32_t most_layers)
 {
     const auto has_room = [&](size_t size_class) { return plan.layers[size_class].size() < most_layers; };

@@ -91,8 +91,8 @@ void sort_ties(inout Layer layers[LAYERS])
     }
 }
 
-// An identifier of the draw calls of all layers in depth order, each at its first occurrence. So borders
-// between the layers' objects appear as changes of the identifier. A single draw call is its own identifier.
+// An identifier of all layers' draw calls in depth order, each draw call once. Borders between the layers'
+// objects then appear as changes of the identifier. A single draw call is its own identifier.
 uint name_of(Layer layers[LAYERS])
 {
     uint name = 0u;

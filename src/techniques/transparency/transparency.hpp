@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Transparent surfaces (glTF's BLEND). As screened ink, the surfaces in front of solid ones are composited
-// and outlined. They tint the wash, and pull the darkness of the strokes behind them towards their own
-// darkness, in proportion to their coverage. As sorted surfaces, each surface is lit and painted like a solid
-// one, in depth order.
+// Transparent surfaces (glTF's BLEND), in one of two modes. In the mode `ink`, the surfaces in front of solid
+// ones are composited into one colour and outlined. They colour the wash, and move the darkness of the
+// strokes behind them towards their own darkness, in proportion to their coverage. In the mode `sorted`, each
+// surface is lit and painted like a solid one, in depth order.
 
 #include <array>
 #include <optional>
@@ -16,10 +16,11 @@
 
 namespace estampe::transparency {
 
-inline constexpr uint32_t most_layers = 4;        ///< most layers that are composited as screened ink
-inline constexpr uint32_t most_sorted_layers = 8; ///< most layers that are painted as sorted surfaces
+inline constexpr uint32_t most_layers = 4;        ///< most layers that are composited in the mode `ink`
+inline constexpr uint32_t most_sorted_layers = 8; ///< most layers that are painted in the mode `sorted`
 
-/// Draws transparent surfaces as a tint (screened ink), or as surfaces of their own in depth order.
+/// How transparent surfaces are drawn: composited into one colour over the wash (ink), or painted one by one
+/// in depth order (sorted).
 enum class Mode : uint8_t { ink, sorted };
 
 struct TransparencyStyle {

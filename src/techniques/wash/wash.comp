@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel applies the wash: a flat colour per material, cooler and deeper in shadow by one
-// step, paler with distance. Writes the transmittance of the paint (1: bare paper).
+// One thread per pixel applies the wash: a flat colour per material, which is cooler and deeper in shadow,
+// and paler with distance. Writes the transmittance of the paint (1: bare paper).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -128,8 +128,8 @@ void main()
         }
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark.here + waver);
-        vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // the small addend gives black light no hue
-        // If paint shall be nearly grey, it takes no hue from coloured light either.
+        vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // the small addend keeps black light without a hue
+        // Paint that should be nearly grey takes no hue from coloured light.
         float hue_share = 0.5 * smoothstep(0.0, 0.2, constants.saturation);
         color *= mix(vec3(1.0), constants.shadow_tint * shade_color_of(material), shadow) *
                  mix(vec3(1.0), hue, hue_share) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
