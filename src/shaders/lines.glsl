@@ -27,8 +27,8 @@ int ceil_log2(float x)
     return ((floatBitsToInt(x) + 0x7fffff) >> 23) - 127;
 }
 
-// Random identity of the line or cell boundary with the number i = odd * 2^level. It stays unchanged at every
-// zoom.
+// Random identity of the line or cell boundary with the number i = odd * 2^level. The identity stays
+// unchanged at every zoom.
 uint dyadic_identity(int i, int level, uint seed)
 {
     // The exponent of the lowest set bit of i, read from its float representation.

@@ -304,7 +304,7 @@ bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float re
 
 glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& random) const
 {
-    // A single lamp is sampled. It is chosen with a probability proportional to its brightness here, so its
+    // A single lamp is sampled. Its probability is proportional to the lamp's brightness here, so the lamp's
     // light is scaled to the sum of all lamps.
     Beam chosen;
     float chosen_brightness = 0.0F;

@@ -28,11 +28,13 @@
 namespace estampe::cloth {
 namespace {
 
-// Factor on the small steps of sheets that may tear, because they have no tethers.
+// Factor on the small steps of sheets that may tear, because such sheets have no tethers (limits of the
+// distance to held particles).
 constexpr float tear_share = 4.0F;
 constexpr float longest_step_s = 1.0F / 30.0F; // upper limit of a step of the simulation
 
-/// Whether wind keeps all sheets awake. A very weak wind does not, because it moves nothing visibly.
+/// Whether wind keeps all sheets awake. A very weak wind does not keep sheets awake, because the wind moves
+/// nothing visibly.
 bool blows(const Surroundings& now)
 {
     return now.air_kg_m3 > 0.0F && now.wind.speed_m_per_s > shared::cloth_breath_m_per_s;
@@ -122,7 +124,7 @@ void Cloths::find_met_solids()
         if (is_met) {
             met_before_.push_back(solids_before_[i]);
             met_.push_back(solids_[i]);
-            if (is_seen(solids_[i])) { // the body may have been larger at the run's beginning
+            if (is_seen(solids_[i])) { // the body may have been larger at the beginning of the run of steps
                 met_.back().reach_m = std::max(solids_before_[i].reach_m, solids_[i].reach_m);
             }
         }
@@ -374,8 +376,8 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     }
     fill_runs(surroundings, count);
     if (!met_.empty()) {
-        // Copies the buffers that the CPU writes to device memory. They may be in host memory, which is slow
-        // for the small steps that read them often.
+        // Copies the buffers that the CPU writes to device memory. Such buffers may be in host memory, which
+        // is slow for the small steps that read them often.
         handles.solids = gpu::add_copy_of_start(graph, "cloth/solids", handles.solids,
                                                 2 * met_.size() * sizeof(shared::ClothCollider));
     }

@@ -55,7 +55,7 @@ SHARED_CONSTANT float cloth_breath_m_per_s = 0.05F;
 SHARED_CONSTANT float cloth_rest_s = 0.5F;
 
 // A particle's mass is shared among its links. A link to a near particle gets this many times the share of a
-// link to a far one.
+// link to a far particle.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
 
 SHARED_CONSTANT uint cloth_plane = 0U; // kind of solid: all space below y = 0
@@ -71,7 +71,7 @@ SHARED_CONSTANT uint cloth_seen = 7U;
 SHARED_CONSTANT uint cloth_kind_bits = 3U;
 // Words before a solid's grid numbers: nodes per axis, half the grid's size.
 SHARED_CONSTANT uint cloth_grid_head = 6U;
-SHARED_CONSTANT uint cloth_seen_head = 1U; // texels before a seen body's data: nodes per axis
+SHARED_CONSTANT uint cloth_seen_head = 1U; // texels before the data of a body with two surfaces
 // Width, in nodes, of the band outside a body's outline where distances are computed.
 SHARED_CONSTANT uint cloth_seen_skirt = 5U;
 SHARED_CONSTANT float cloth_seen_nowhere_m = 1e3F; // distance from the outline at places without a body

@@ -17,7 +17,8 @@
 
 namespace estampe::cloth {
 
-/// Conditions that act on all cloth sheets (wind, air, time step). They may change from run to run.
+/// Conditions that act on all cloth sheets (wind, air, time step). The conditions may change between two runs
+/// of simulation steps.
 struct Surroundings {
     float step_s = 1.0F / 120.0F; ///< time step of the cloth simulation, at most a thirtieth of a second
     double time_s = 0.0;          ///< time at the beginning of the run; the wind depends on it
@@ -93,19 +94,20 @@ public:
     /// rounding.
     void set_wide(const gpu::Device& device, bool is_wide);
 
-    /// Sets the solids at the end of the next run. During the run, solids move there from their last places,
-    /// if the number of solids is unchanged. Later runs start with these places.
+    /// Sets the places of all solids at the end of the next run of simulation steps. During the run, solids
+    /// move there from their last places, if the number of solids is unchanged. Later runs start with these
+    /// places.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
 
     /// Sets boxes that sheets do not leave during later runs, so that distant solids cost nothing. An empty
     /// list means that sheets may go anywhere.
     void set_reach(std::vector<SheetReach> reach) { reach_ = std::move(reach); }
 
-    /// Uploads the grids of all solids of heights and distances. They stay valid until the next call. Call
-    /// set_grids() before set_solids(). Cost: one upload.
+    /// Uploads the grids of all solids of heights and distances. The grids stay valid until the next call.
+    /// Call set_grids() before set_solids(). Cost: one upload.
     void set_grids(gpu::Device& device, std::span<const SolidGrid> grids);
 
-    /// Uploads the bodies of all solids of kind `seen`. They stay valid until the next call. Call
+    /// Uploads the bodies of all solids of kind `seen`. The bodies stay valid until the next call. Call
     /// set_bodies() before set_solids(). Cost: an upload of the bodies' triangles.
     void set_bodies(gpu::Device& device, std::span<const Body> bodies);
 
@@ -114,8 +116,8 @@ public:
     /// shared::cloth_most_flows boxes.
     void set_flows(gpu::Device& device, std::span<const Flow> flows);
 
-    /// Sets the targets of held particles at the end of the next run, sheet by sheet. Particles move there
-    /// from their last targets during the run.
+    /// Sets the targets of held particles at the end of the next run of simulation steps, sheet by sheet.
+    /// Particles move there from their last targets during the run.
     void set_targets(gpu::Device& device, std::span<const glm::vec3> places_m);
 
     /// Graph resources that the cloth passes of one graph share. Create one `Handles` per graph, before the
@@ -144,11 +146,11 @@ public:
     /// the drawn vertices.
     void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
-    /// Adds passes that measure the front and the back of all bodies, as posed at the end of the next run, in
-    /// the places of set_solids(). During the run, surfaces change from the last measured ones to these.
-    /// Cost: two passes per body; a thread for each triangle visits the nodes that the triangle covers.
-    /// Source: Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section
-    /// 7.5.
+    /// Adds passes that measure the front and the back of all bodies, as posed at the end of the next run of
+    /// steps, in the places of set_solids(). During the run, each surface changes from its last measured form
+    /// to the new form. Cost: two passes per body; a thread for each triangle visits the nodes that the
+    /// triangle covers. Source: Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8,
+    /// 2008, section 7.5.
     void add_bodies(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
     /// Adds a pass that moves whole sheets, by one matrix per sheet, for example when the object that holds a
@@ -163,8 +165,8 @@ public:
     /// Largest number of simulation steps in one graph, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// Makes the targets and bodies of the next run valid from the run's beginning, so that they do not move
-    /// from those of the last run. Changes between the last and the next run wake no sheet.
+    /// Makes the targets and bodies of the next run of steps valid from the run's beginning, so that they do
+    /// not move from those of the last run. Changes between the last and the next run wake no sheet.
     void forget_before()
     {
         has_targets_ = false;
@@ -198,8 +200,8 @@ public:
     /// Breakable faces of the sheets that were passed as `drawn`, sheet by sheet.
     [[nodiscard]] std::span<const BrittleFace> brittle_faces() const { return brittle_faces_; }
 
-    /// The whole state from which the next run continues: positions with inverse masses, velocities, and
-    /// torn() if any sheet may tear.
+    /// The whole state from which the next run of steps continues: positions with inverse masses, velocities,
+    /// and torn() if any sheet may tear.
     [[nodiscard]] std::vector<gpu::Buffer*> state();
 
     /// Replaces the state by an earlier state() of equal sheets; the buffers must have equal sizes.
@@ -222,8 +224,8 @@ private:
     struct Solver {
         uint32_t bits = 0;               ///< bits that the solver adds to the shaders' `variant`
         bool takes_small_sheets = false; ///< the solver can run small sheets in a dispatch of their own
-        uint32_t sweeps = 0; ///< sweeps over all colours of particles per small step; the number of small
-                             ///< steps is divided by it
+        uint32_t sweeps = 0; ///< sweeps over all sets of unlinked particles per small step; the number of
+                             ///< small steps is divided by it
         uint32_t relaxations = 0;     ///< number of relaxations of a whole step, for each small step that the
                                       ///< default solver would take
         bool lowers_rigidity = false; ///< lowers bending rigidity where a small step is too long for it
@@ -241,9 +243,9 @@ private:
         uint32_t first_group = 0;
         uint32_t group_count = 0;
         uint32_t most_particles = 0;     ///< number of particles of the largest sheet of this kind
-        std::optional<uint32_t> lone;    ///< number of the sheet, if it is the only one and it is large
-        std::vector<glm::uvec2> colours; ///< for sweeps over the colours of particles: first workgroup of
-                                         ///< each colour, and number of workgroups
+        std::optional<uint32_t> lone;    ///< number of the sheet, if only one sheet exists and it is large
+        std::vector<glm::uvec2> colours; ///< for sweeps over sets of unlinked particles: first workgroup of
+                                         ///< each set, and number of workgroups
         gpu::Buffer run;
     };
 
@@ -300,8 +302,9 @@ private:
     gpu::Buffer tethers_;
     gpu::Buffer rest_;      ///< positions of all particles in the sheets' rest shapes
     gpu::Buffer near_;      ///< for self-collision: four particles that are near each particle
-    gpu::Buffer by_colour_; ///< particles of all sheets by colour, each colour padded to whole workgroups
-    /// Per sheet and colour of particles: first index in `by_colour_`, and count.
+    gpu::Buffer by_colour_; ///< particles of all sheets by set of unlinked particles, each set padded to
+                            ///< whole workgroups
+    /// Per sheet and set of unlinked particles: first index in `by_colour_`, and count.
     std::vector<std::vector<glm::uvec2>> colours_;
     gpu::Buffer holds_; ///< holders of particles, one ClothHold per particle
     std::vector<shared::ClothCollider> solids_before_, solids_;
@@ -314,12 +317,12 @@ private:
     gpu::Buffer flow_speeds_;
     gpu::Buffer grids_; ///< numbers of all solids' grids, each after its head
     std::vector<uint32_t> first_of_grid_;
-    std::array<gpu::Buffer, 2> targets_; ///< targets at the run's beginning and end
+    std::array<gpu::Buffer, 2> targets_; ///< targets at the beginning and the end of a run of steps
     bool has_targets_ = true;
     bool targets_move_ = false;
     gpu::Buffer body_triangles_;
     std::vector<shared::ClothBody> bodies_; ///< deforming bodies, without their current places
-    std::array<gpu::Buffer, 2> seen_;       ///< bodies' surfaces at the run's beginning and end
+    std::array<gpu::Buffer, 2> seen_; ///< bodies' surfaces at the beginning and the end of a run of steps
     bool has_seen_ = false;
     bool bodies_move_ = false;
     gpu::Buffer places_;

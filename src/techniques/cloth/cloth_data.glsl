@@ -33,17 +33,18 @@ layout(binding = 3) uniform usamplerBuffer face_texels;
 // Tethers: the held particle, and the largest distance from it.
 layout(binding = 4) uniform usamplerBuffer tether_texels;
 layout(binding = 5) uniform usamplerBuffer collider_texels;
-// Targets of held particles at the run's beginning.
+// Targets of held particles at the beginning of the run of steps.
 layout(binding = 6) uniform samplerBuffer target_before_texels;
-// Targets of held particles at the run's end; w: strength of the hold.
+// Targets of held particles at the end of the run of steps; w: strength of the hold.
 layout(binding = 7) uniform samplerBuffer target_after_texels;
 
 // Solids' grids of heights or distances, each grid after its head.
 layout(binding = 9) uniform samplerBuffer grid_texels;
-// Front and back surfaces of bodies at the run's beginning.
+// Front and back surfaces of bodies at the beginning of the run of steps.
 layout(binding = 10) uniform usamplerBuffer seen_before_texels;
 layout(binding = 11) uniform usamplerBuffer
-    seen_after_texels; // front and back surfaces of bodies at the run's end; each body after its head
+    seen_after_texels; // front and back surfaces of bodies at the end of the run of steps; each body after
+                       // its head
 
 layout(scalar, binding = 8) readonly buffer SheetOfGroup
 {
@@ -76,7 +77,7 @@ uint own_particle(uint first)
     return all(lessThan(at, size)) ? at.y * size.x + at.x : cloth_no_vertex;
 }
 
-// Time of a small step as a share of the run, from 0 to 1.
+// Time of a small step as a share of the run of simulation steps, from 0 to 1.
 float part_of_run(uint step, float steps)
 {
     return (float(step) + steps / float(run.small_steps)) / float(run.step_count);

@@ -177,7 +177,7 @@ bool Cloths::is_small(size_t sheet) const
 {
     return solver_of(sheet).takes_small_sheets && (variant_of(sheet) & ~shared::cloth_bit_grid) == 0 &&
            records_[sheet].count <= shared::cloth_small_sheet &&
-           records_[sheet].columns <= shared::cloth_small_group; // a thread's particles belong to one column
+           records_[sheet].columns <= shared::cloth_small_group; // a thread's particles are in one column
 }
 
 void Cloths::group_sheets(gpu::Device& device)
@@ -333,7 +333,7 @@ void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)
     }
     for (size_t i = 0; i < solids.size(); ++i) {
         turn_alike(solids_before_[i], solids_[i]);
-        // The grid shows another part of the same ground, so the change is no motion.
+        // The solid's grid now shows another part of the same ground, so the change is no motion.
         if (solids[i].kind == SolidKind::heights) {
             solids_before_[i] = solids_[i];
         }

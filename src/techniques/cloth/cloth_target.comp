@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per particle: the target at the end of the next run is the posed position of the particle's
-// vertex.
+// One thread per particle: the target at the end of the next run of steps is the posed position of the
+// particle's vertex.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

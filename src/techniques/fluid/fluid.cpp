@@ -186,7 +186,7 @@ private:
     const Grid& grid_;
     const FluidStyle& style_;
     Handles& handles_;
-    float age_s_; ///< time since the uploaded positions of the shapes were valid
+    float age_s_; ///< time since the uploaded positions of obstacles and sources were valid
 };
 
 Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span<const float> velocity,

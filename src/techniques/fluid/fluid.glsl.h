@@ -99,10 +99,10 @@ struct FluidShape {
     float least_vapour;
 };
 
-// A list of moving shapes: obstacles first, then sources.
+// A list of moving shapes: obstacles of the fluid first, then sources.
 struct FluidShapes {
     float cell_m;
-    float age_s; // time since the shapes' positions in the buffer were valid
+    float age_s; // time since the positions of obstacles and sources in the buffer were valid
     float step_s;
     uint obstacle_count;
     uint count;
@@ -165,7 +165,7 @@ struct FluidTile {
 
 struct FluidSmall {
     FluidLevel level;
-    uint level_count;  // number of levels from this one down to a handful of cells
+    uint level_count;  // number of levels from this level down to a level of a handful of cells
     uint level_number; // number of this level; level 0 is the grid itself
     uint width;        // width of the grid in cells
     uint height;
@@ -194,7 +194,7 @@ SHARED_CONSTANT uint fluid_mass_whole = 32768U;
 SHARED_CONSTANT float fluid_most_quantity = 2048.0F; // larger quantities are clamped before counting
 
 SHARED_CONSTANT uint fluid_most_shapes = 64U;
-// Marks a permanently solid cell, which belongs to no shape.
+// Marks a permanently solid cell, which belongs to no moving obstacle.
 SHARED_CONSTANT uint fluid_stands_still = 0xffffffffU;
 SHARED_CONSTANT uint fluid_most_channels = 8U;
 

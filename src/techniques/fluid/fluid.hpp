@@ -74,8 +74,8 @@ public:
     /// the grid has no spectral solver. Call check_spectral() once before the first step.
     double check_spectral(gpu::Device& device, gpu::Executor& executor);
 
-    /// Sets obstacles and sources from the next step on. They keep moving with their velocities as steps
-    /// pass. Throws std::logic_error for more than 64 shapes in total.
+    /// Sets obstacles and sources from the next step on. Obstacles and sources keep moving with their
+    /// velocities as steps pass. Throws std::logic_error for more than 64 of both together.
     void set_shapes(std::span<const Shape> obstacles, std::span<const Source> sources)
     {
         shapes_.set(obstacles, sources);

@@ -131,8 +131,8 @@ namespace {
 
 // Largest half angle of a spot with one map. A wider map would spend most of its texels near its border.
 constexpr float widest_map_rad = 1.1F;
-// Near plane's distance as a share of the light's range. It may be so small because reversed float depth
-// stays precise at any distance.
+// Near plane's distance as a share of the light's range. The near plane may be so close because reversed
+// float depth stays precise at any distance.
 constexpr float near_share = 1e-4F;
 
 struct Axes {

@@ -64,8 +64,8 @@ shared uint first_listed;  // index in the list of the workgroup's first square
 const uint squares_across = 3u;
 const uint squares_about = 18u;
 
-// Bits of the squares whose page pixels read this half-page pixel. Near a square's edge, neighbouring squares
-// are included.
+// Bits of the squares whose page pixels read this pixel of the half page (every second pixel). Near a
+// square's edge, neighbouring squares are included.
 uint squares_that_look(uvec2 local)
 {
     uvec2 within = local % 8u;

@@ -134,8 +134,8 @@ shared::ScatterConstants constants_of(const SubsurfaceInputs& in, uint32_t level
             .is_last = 0U};
 }
 
-/// Outputs of the source pass: light of the half page, the share that stays in place, and the dispatch sizes
-/// of the blurs.
+/// Outputs of the source pass: light of the half page (every second pixel), the share that stays in place,
+/// and the dispatch sizes of the blurs.
 struct Source {
     gpu::ImageId light;
     gpu::ImageId spread;

@@ -80,7 +80,8 @@ struct SubsurfaceInputs {
     /// The projection is perspective: depth alone gives the distance along the view.
     bool in_perspective = false;
 
-    /// Offset (0 or 1) of the tile's first pixel that has an even page position, where the half page begins.
+    /// Offset (0 or 1) of the tile's first pixel that has an even page position, where the half page (every
+    /// second pixel) begins.
     [[nodiscard]] glm::uvec2 second_from() const { return from_px & 1U; }
 
     [[nodiscard]] glm::uvec2 half_px() const
@@ -98,8 +99,8 @@ struct FarSide {
 };
 
 /// Adds a pass that finds where the view ray leaves each visible body. `behind` is the visibility buffer of
-/// the next scattering surfaces behind the visible ones, on the half page. Cost: one dispatch over the half
-/// page.
+/// the next scattering surfaces behind the visible ones, on the half page (every second pixel). Cost: one
+/// dispatch over the half page.
 [[nodiscard]] FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
                                    gpu::BufferId triangles, gpu::BufferId posed_vertices);
 

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_WIND
 #define ESTAMPE_CLOTH_WIND
 
-// The open wind, and the force of air on a face. Eddies: Bridson, Hourihan and Nordenstam, "Curl-Noise for
-// Procedural Fluid Flow", SIGGRAPH 2007. The curl of a pair of potentials is the cross product of their
-// gradients.
+// The open wind (away from fluid simulations), and the force of air on a face. Eddies: Bridson, Hourihan and
+// Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007. The curl of a pair of potentials is the
+// cross product of their gradients.
 //
 // Requires: run, sheet and variant of cloth_data.glsl.
 
@@ -15,7 +15,7 @@ float corner_value(ivec3 cell, uint seed)
     return 2.0f * unit_float(hash(uint(cell.x) ^ seed, uint(cell.y), uint(cell.z))) - 1.0f;
 }
 
-// Noise in [-1, 1] in w, with one bump per unit of length; xyz is the gradient of the noise.
+// Noise in [-1, 1] in w, with one bump per unit of length; the gradient of the noise in xyz.
 vec4 noise_and_slope(vec3 place, uint seed)
 {
     ivec3 cell = ivec3(floor(place));

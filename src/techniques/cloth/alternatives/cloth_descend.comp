@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per particle of one colour: moves the particle to the least energy while all other particles are
-// fixed. Chen, Liu, Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024. No two particles of a colour are
-// linked.
+// One thread per particle of one colour (a set of particles without links between them): moves the particle
+// to the least energy while all other particles are fixed. Chen, Liu, Yang and Yuksel, "Vertex Block
+// Descent", SIGGRAPH 2024.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -31,7 +31,8 @@ layout(scalar, binding = 15) buffer Predicted
     vec4 predicted[];
 };
 
-// Particle numbers by colour; each colour is padded to whole workgroups.
+// Particle numbers by colour (a set of particles without links between them); each colour is padded to whole
+// workgroups.
 layout(binding = 16) uniform usamplerBuffer particle_texels;
 
 layout(scalar, binding = 17) readonly buffer Awake
@@ -145,7 +146,8 @@ void main()
     float inertia_n_m = 1.0 / (from.w * small_step_s() * small_step_s());
     force = inertia_n_m * (free - own.xyz);
     hessian = mat3(inertia_n_m);
-    // A float cannot hold a stiffness above this limit and the particle's inertia in one sum.
+    // A stiffness above this limit is too large to add to the particle's inertia in a float: the inertia
+    // would be lost.
     float most_n_m = 1e4 * inertia_n_m;
     if ((variant & cloth_bit_grid) != 0u) {
         add_links_of_grid(local, own.xyz, most_n_m);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertex block descent: particles of sheets sorted by colour, and the sweeps over the colours. Chen, Liu,
-// Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024.
+// Vertex block descent: particles of sheets sorted by colour (a set of particles without links between them),
+// and the sweeps over the colours. Chen, Liu, Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024.
 #include "techniques/cloth/cloth.hpp"
 
 #include "shaders/cloth_descend_comp.hpp"

@@ -41,7 +41,7 @@ struct Sheet {
                                glm::vec3 across_m, const Cloth& cloth = {});
 
 /// Whether every particle is connected to a held particle by triangles or threads that never tear. If so, no
-/// particle can be farther from the held one than their distance along the sheet.
+/// particle can be farther from the held particle than their distance along the sheet.
 [[nodiscard]] bool hangs(const Sheet& sheet);
 
 /// A regular grid of particles with right angles.
@@ -79,7 +79,7 @@ struct Structure {
     Lists<glm::uvec2> faces; ///< for each face at a particle: the face's two other corners, in order; a
                              ///< missing face has the particle itself twice
     Lists<Tether> tethers;
-    /// All particles, sorted by colour; particles of one colour are not linked.
+    /// All particles, sorted by colour: particles of one colour have no links between them.
     std::vector<std::vector<uint32_t>> colours;
     float softness = 0.0F;        ///< compliance of a grid's links, in m / N for a link of 1 m
     float bending_rate_s2 = 0.0F; ///< squared frequency of the fastest bending oscillation at rigidity 1

@@ -409,8 +409,8 @@ std::vector<std::vector<uint32_t>> neighbours_on_grid(const GridForm& grid)
     return neighbours;
 }
 
-/// Colours a grid such that no two linked particles share a colour. Links reach two particles, so colours
-/// repeat after three particles each way.
+/// Graph colouring of a grid's particles, such that no two linked particles share a colour. Links reach two
+/// particles, so colours repeat after three particles each way.
 std::vector<std::vector<uint32_t>> colours_of_grid(const GridForm& grid)
 {
     constexpr uint32_t apart = 3;
@@ -422,7 +422,7 @@ std::vector<std::vector<uint32_t>> colours_of_grid(const GridForm& grid)
     return colours;
 }
 
-/// Colours particles greedily: each particle gets the first colour that no linked particle has.
+/// Greedy graph colouring of particles: each particle gets the first colour that no linked particle has.
 std::vector<std::vector<uint32_t>> colours_of_lists(const Lists<shared::ClothLink>& links, size_t count)
 {
     std::vector<std::vector<uint32_t>> colours;

@@ -8,8 +8,8 @@
 
 #include "techniques/cloth/cloth_data.glsl"
 
-// The body that is being tested: its first texel, half its size at the run's beginning, and the time as a
-// share of the run.
+// The body that is being tested: its first texel, half its size at the beginning of the run of steps, and the
+// time as a share of the run.
 int body_first = 0;
 vec3 body_half_before_m = vec3(0.0);
 float body_part = 0.0;
@@ -70,8 +70,8 @@ Seen seen_then(bool is_after, vec2 half_m, vec2 place)
                 value_and_slope(numbers[2], f, texel_m), min(texel_m.x, texel_m.y), count > 0.0);
 }
 
-// Interpolated surface at the run's beginning and end. If one of the two has no middle, it gets the middle of
-// the other.
+// Interpolated surface at the beginning and the end of the run of steps. If one of the two has no middle, it
+// gets the middle of the other.
 Seen[2] seen_twice(vec2 half_m, vec2 place)
 {
     Seen before = seen_then(false, body_half_before_m.xy, place);

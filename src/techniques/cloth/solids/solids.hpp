@@ -61,7 +61,7 @@ struct Solid {
 /// Makes the solid of a grid, placed at the grid's middle. Heights are relative to this middle.
 [[nodiscard]] Solid solid_of_grid(SolidKind kind, const SolidGrid& grid, uint32_t number);
 
-/// Prepares a solid's previous rotation for interpolation to the current one by the short way. Two
+/// Prepares a solid's previous rotation for interpolation to the current one by the shorter way. Two
 /// quaternions represent each rotation, and a capsule may turn freely about its axis.
 void turn_alike(shared::ClothCollider& before, const shared::ClothCollider& after);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per particle of a sheet with self-collision: inserts the particle into a hash table of cells, or
-// finds the nearest particles that are not near at rest. The order inside a cell depends on thread timing,
-// the result does not.
+// finds the nearest particles that are not near at rest. The order inside a cell depends on the timing of
+// threads, but the result does not.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

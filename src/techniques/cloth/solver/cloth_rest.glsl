@@ -8,7 +8,7 @@
 
 #include "techniques/cloth/air/cloth_flow.glsl"
 
-// Whether a solid that moves in this run comes near a place.
+// Whether a solid that moves in this run of steps comes near a place.
 bool is_neared(vec3 place)
 {
     bool is_near = false;

@@ -34,7 +34,7 @@ layout(push_constant, scalar) uniform Constants
     ClothMoment moment;
 };
 
-// Predicted positions: one half is read while the other is written.
+// Predicted positions: one half of the array is read while the other half is written.
 shared vec4 predicted[2][cloth_small_sheet];
 uint newest = 0u;
 // Data of a thread's particles, by slot:
@@ -187,7 +187,7 @@ void go_all_steps()
     uint step = 0u;
     bool goes_on = true;
     do {
-        goes_on = is_awake(step); // a sheet at rest stays at rest until the run ends
+        goes_on = is_awake(step); // a sheet at rest stays at rest until the run of steps ends
         if (goes_on) {
             begin_step(step);
             uint number = 0u;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per particle, at the end of a step: finds the particle's links that are torn from now on. Both
-// ends of a link compute equal results, from the same two positions. The last of two passes removes the links
-// that lead across a tear.
+// One thread per particle, at the end of a step: finds the particle's links that tear in this step. Both ends
+// of a link compute equal results, from the same two positions. The last of two passes removes the links that
+// lead across a tear.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of a volume: one round of Jacobi's iteration.
+// One thread per cell of a 3D fluid: one round of Jacobi's iteration.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: rounds the quantities of the cell to whole units.
+// One thread per cell: rounds the masses of quantities in the cell to whole units.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

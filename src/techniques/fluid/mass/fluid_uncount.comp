@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: the reverse of fluid_count.comp.
+// One thread per cell: converts whole units back to quantities, the reverse of fluid_count.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -10,7 +10,7 @@ vec3 centre_of(FluidShape shape)
     return shape.centre_m + shapes.age_s * shape.speed;
 }
 
-// Distance of a place from a shape's surface; negative inside.
+// Distance of a place from the surface of an obstacle or a source; negative inside.
 float distance_to(FluidShape shape, vec3 place_m)
 {
     float angle = shape.angle_rad + shapes.age_s * shape.spin;

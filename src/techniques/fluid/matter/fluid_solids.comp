@@ -16,7 +16,7 @@ layout(scalar, binding = 0) readonly buffer Shapes
     FluidShape shape_list[];
 };
 
-// One word per cell: whether it is solid permanently; a single word if no cell is.
+// One word per cell: whether the cell is solid permanently; a single word if no cell is.
 layout(binding = 1) uniform usamplerBuffer standing;
 
 layout(scalar, binding = 2) writeonly buffer Solids

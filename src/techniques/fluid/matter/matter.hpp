@@ -49,13 +49,13 @@ public:
     /// reads the shapes may be running.
     void set(std::span<const Shape> obstacles, std::span<const Source> sources);
 
-    /// Moves all shapes along their velocities by `time_s`.
+    /// Moves all obstacles and sources along their velocities by `time_s`.
     void advance(float time_s);
 
-    /// Uploads the shapes' current positions for the next graph.
+    /// Uploads the current positions of obstacles and sources for the next graph.
     [[nodiscard]] gpu::BufferId upload(gpu::Graph& graph);
 
-    /// Shader constants of the shapes at the time `age_s` after upload().
+    /// Shader constants of obstacles and sources, `age_s` seconds after upload().
     [[nodiscard]] shared::FluidShapes constants(const Grid& grid, float age_s, float step_s,
                                                 uint32_t channels) const;
 

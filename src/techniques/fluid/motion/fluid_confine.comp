@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of a volume: vorticity confinement force at the cell centre, from the vorticity and its
-// magnitude. Source: Steinhoff and Underhill, "Modification of the Euler equations for vorticity
+// One thread per cell of a 3D fluid: vorticity confinement force at the cell centre, from the vorticity and
+// its magnitude. Source: Steinhoff and Underhill, "Modification of the Euler equations for vorticity
 // confinement", Physics of Fluids 6, 1994.
 #version 460
 #extension GL_GOOGLE_include_directive : require

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of a volume: vorticity at the cell centre, for cells of size 1, and its magnitude.
+// One thread per cell of a 3D fluid: vorticity at the cell centre, for cells of size 1, and its magnitude.
 // Values between two faces along an axis are their mean.
 #version 460
 #extension GL_GOOGLE_include_directive : require

@@ -28,8 +28,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/occlusion/half_page.glsl"
 
-// Small weight that every sample of the half page gets in addition. It only matters if no sample lies on the
-// pixel's surface.
+// Small weight that every sample of the half page (every second pixel) gets in addition. The small weight
+// only matters if no sample lies on the pixel's surface.
 const float least_weight = 1e-3;
 
 void main()

@@ -10,8 +10,8 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint height_no_step = 0xffffffffU;
 
-// Most height fields that are computed together. They have equal size and are stacked vertically in every
-// image and buffer. The third coordinate of a dispatch selects the field.
+// Most height fields that are computed together. All fields have equal size and are stacked vertically in
+// every image and buffer. The third coordinate of a dispatch selects the field.
 SHARED_CONSTANT uint height_fields_most = 5U;
 
 // Constants of a sweep along lines that run away from the sun, one texel per step along one side of the
