@@ -82,8 +82,8 @@ struct HatchLineStyle {
     float taper_px;
     float cell_px;
     float pressure;
-    // Form in which newborn lines get their ink: 0 thin along their whole length, 1 as short strokes of full
-    // width.
+    // Form in which newborn lines (between two old lines) get their ink: 0 thin along their whole length, 1
+    // as short strokes of full width.
     float growth;
 };
 

@@ -12,7 +12,7 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint no_skin = 0xffffffffU;
 
-// Flags of a DrawRecord. This one: the mesh has UVs.
+// Flags of a DrawRecord. This flag means that the mesh has UVs.
 SHARED_CONSTANT uint draw_has_uv = 1U;
 SHARED_CONSTANT uint draw_follows_uv = 2U; // the UVs are suitable for strokes
 SHARED_CONSTANT uint draw_mirrored = 4U;   // the draw call's transform mirrors the mesh

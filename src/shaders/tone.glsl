@@ -20,8 +20,8 @@ float toned(ToneConstants tone, float value)
 }
 
 // Darkness to draw, 0 (paper) to 1 (ink), for a surface with brightness `local_value` in the light `light`.
-// Contrast is a factor about the middle tone, with saturation (Zanuttini, "Recherches en rendu non réaliste
-// temps réel", Université Paris 8, 2008, annex 1). Below the floor the paper stays white.
+// Contrast is a factor about the middle tone, and the result is clamped (Zanuttini, "Recherches en rendu non
+// réaliste temps réel", Université Paris 8, 2008, annex 1). Below the floor the paper stays white.
 float darkness(ToneConstants tone, float light, float local_value)
 {
     float value = light * tone.exposure * mix(1.0f, local_value, tone.local_value);

@@ -40,7 +40,7 @@ bool blows(const Surroundings& now)
     return now.air_kg_m3 > 0.0F && now.wind.speed_m_per_s > shared::cloth_breath_m_per_s;
 }
 
-/// The kind of a solid, without the index of its grid's numbers, which shares the same word.
+/// The kind of a solid, without the index of its grid's numbers that is stored in the same word.
 uint32_t kind_of(const shared::ClothCollider& solid)
 {
     return solid.kind & ((1U << shared::cloth_kind_bits) - 1);
@@ -56,8 +56,8 @@ bool is_seen(const shared::ClothCollider& solid)
     return kind_of(solid) == shared::cloth_seen;
 }
 
-/// Number of small steps per second that limits the stretch of cloth to one or two hundredths with default
-/// settings: per sixtieth of a second, a third of the number of particles per side.
+/// Number of small steps per second: in each sixtieth of a second, a third of the number of particles per
+/// side. With default settings, cloth then stretches by one or two hundredths at most.
 float small_steps_per_s(uint32_t particles)
 {
     const float side = std::sqrt(static_cast<float>(particles));
@@ -110,7 +110,7 @@ uint32_t Cloths::most_steps(const Surroundings& surroundings) const
 
 void Cloths::find_met_solids()
 {
-    constexpr float spare_m = 0.1F; // margin of a sheet's reach for the thickness of sheets
+    constexpr float spare_m = 0.1F; // margin around a sheet for the thickness of cloth
     met_before_.clear();
     met_.clear();
     for (size_t i = 0; i < solids_.size(); ++i) {

@@ -154,7 +154,7 @@ struct ClothRun {
 struct ClothMoment {
     uint step;
     uint small_step;
-    uint first_group; // index of the pass's first group in the list of sheets by group
+    uint first_group; // index of the first workgroup in the list of sheets by workgroup
 };
 
 // Parameters of the search for nearby particles, for the self-collision of a sheet.
@@ -184,7 +184,7 @@ struct ClothBody {
     vec3 half_m;
     uint triangle_count;
     uvec2 nodes;
-    uint first; // index of the body's first texel, the head, which holds its nodes per axis
+    uint first; // index of the body's first texel, which holds the number of its nodes per axis
 };
 
 // The posed vertex that holds a particle, and the strength of the hold.

@@ -315,7 +315,8 @@ private:
     gpu::Buffer colliders_;
     std::vector<shared::ClothFlow> flows_;
     gpu::Buffer flow_speeds_;
-    gpu::Buffer grids_; ///< numbers of all solids' grids, each after its head
+    gpu::Buffer grids_; ///< numbers of all solids' grids; each grid starts with its head (nodes per axis,
+                        ///< half the size)
     std::vector<uint32_t> first_of_grid_;
     std::array<gpu::Buffer, 2> targets_; ///< targets at the beginning and the end of a run of steps
     bool has_targets_ = true;

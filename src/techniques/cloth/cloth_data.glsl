@@ -38,13 +38,13 @@ layout(binding = 6) uniform samplerBuffer target_before_texels;
 // Targets of held particles at the end of the run of steps; w: strength of the hold.
 layout(binding = 7) uniform samplerBuffer target_after_texels;
 
-// Solids' grids of heights or distances, each grid after its head.
+// Solids' grids of heights or distances; each grid starts with its head (nodes per axis, half the size).
 layout(binding = 9) uniform samplerBuffer grid_texels;
 // Front and back surfaces of bodies at the beginning of the run of steps.
 layout(binding = 10) uniform usamplerBuffer seen_before_texels;
 layout(binding = 11) uniform usamplerBuffer
-    seen_after_texels; // front and back surfaces of bodies at the end of the run of steps; each body after
-                       // its head
+    seen_after_texels; // front and back surfaces of bodies at the end of the run of steps; each body starts
+                       // with its nodes per axis
 
 layout(scalar, binding = 8) readonly buffer SheetOfGroup
 {

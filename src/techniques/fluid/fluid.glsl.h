@@ -63,12 +63,12 @@ struct FluidAdvect {
     uint channels;
 };
 
-// One stage of diffusion: weights of the earlier states of the velocity, and of their rates of change.
+// Constants of one stage of diffusion: weights of the velocity in earlier stages, and of its rates of change.
 struct FluidDiffuse {
     float of_last;
     float of_before_last;
     float of_start;
-    float of_last_rate; // weight of a rate of change, for a Laplacian on cells of size 1
+    float of_last_rate; // weight of the last stage's rate of change, for a Laplacian on cells of size 1
     float of_start_rate;
     vec3 speed_gain; // gain of speed in the step by the uniform force
 };

@@ -42,8 +42,8 @@ struct Grid {
 /// Absorbing layer that imitates open ends of the grid. Near a face, except the low face of y, the layer
 /// gradually replaces the fluid by outside air.
 struct Rim {
-    float breadth_m = 0.0F;   ///< thickness of the layer; 0 turns the layer off
-    float share_per_s = 0.0F; ///< rate at which outside air replaces the fluid at the face
+    float breadth_m = 0.0F;   ///< thickness of the absorbing layer; 0 turns the layer off
+    float share_per_s = 0.0F; ///< rate at which outside air replaces the fluid at an open face of the grid
 
     bool operator==(const Rim&) const = default;
 };

@@ -79,8 +79,8 @@ NineWeights moved(Weights weights, int past)
                        is_two ? next.z : 0.0);
 }
 
-// Ink at a place of the grid; x: wet, y: dry. Rows are read four cells at a time; cells of weight 0 may
-// belong to another row.
+// Ink at a place of the grid: wet ink in x, dry ink in y. Cells are read four at a time in a row; cells of
+// weight 0 may belong to another row.
 vec2 ink_at(vec2 grid)
 {
     vec2 at = grid - 0.5;

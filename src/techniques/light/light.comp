@@ -407,7 +407,7 @@ void main()
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
         float visible = i == 0u ? sun_visible : 1.0;
         if (i == 0u && is_paper(word)) {
-            // Blank ground is drawn as paper. It has no shading, and its shadow fades with distance.
+            // Blank ground is drawn as paper: the ground has no shading, and its shadow fades with distance.
             lambert = lambert > 0.0 ? 1.0 : 0.0;
             visible =
                 mix(visible, 1.0, clamp(dot(lighting.paling, point) + lighting.paling_at_anchor, 0.0, 1.0));

@@ -115,9 +115,9 @@ struct ExposureKeyCache {
                                      const glm::dvec3& anchor, const LightStyle& style,
                                      const ViewAnalysis& analysis = {}, ExposureKeyCache* memory = nullptr);
 
-/// Lightening of the sun's shadow on blank ground, as a share of sunlight. It grows linearly from 0 below the
-/// middle of the scene to `most` at the end of the shadow of the scene's bounds, so that the shadow is
-/// darkest at the foot of its object, as in drawings.
+/// Lightening of the sun's shadow on blank ground, as a share of sunlight. The lightening grows linearly from
+/// 0 below the middle of the scene to `most` at the end of the shadow of the scene's bounds, so that the
+/// shadow is darkest at the foot of its object, as in drawings.
 struct Paling {
     glm::vec3 share_per_m{0.0F};
     float share_at_anchor = 0.0F;

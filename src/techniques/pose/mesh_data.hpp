@@ -39,8 +39,8 @@ struct DrawSource {
                          ///< motion
 };
 
-/// A mesh whose vertices another part of the program poses, such as terrain. It casts no shadow into shadow
-/// maps and has no bounds.
+/// A mesh whose vertices another part of the program poses, such as terrain. Such a mesh casts no shadow into
+/// shadow maps and has no bounds.
 struct ForeignMesh {
     Index node = 0; ///< node of the foreign mesh, which has one primitive without vertices
     Index material = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Poses meshes: computes matrices and weights at a time, finds the changes since the last pose, and
-// dispatches the posing of vertices on the GPU.
+// Poses meshes: computes the matrices and weights of a point in time, finds the changes since the last pose,
+// and dispatches the posing of vertices on the GPU.
 #include "techniques/pose/pose.hpp"
 
 #include <algorithm>

@@ -14,12 +14,12 @@ SHARED_CONSTANT uint pose_has_morphs = 1U << 1U;
 
 SHARED_CONSTANT uint most_pose_runs = 8U;
 
-// Runs of consecutive vertices that one dispatch poses. An item is a vertex to pose.
+// Runs of consecutive vertices that one dispatch poses.
 struct PoseRuns {
     uint run_count;
     uint item_count;             // number of vertices of all runs
     uint firsts[most_pose_runs]; // first vertex of each run
-    uint ends[most_pose_runs];   // number of items up to each run's end
+    uint ends[most_pose_runs];   // number of vertices of all runs up to the end of each run
 };
 
 #ifdef __cplusplus

@@ -173,8 +173,8 @@ std::vector<std::vector<uint32_t>> parts_of(const Primitive& primitive)
 
 enum class Form : uint8_t { flat, convex, other };
 
-/// Form of a part. It is flat if all corners lie in the plane of every triangle, convex if all corners lie on
-/// one side of every triangle's plane.
+/// Form of a connected part of a mesh. The part is flat if all corners lie in the plane of every triangle,
+/// and convex if all corners lie on one side of every triangle's plane.
 Form form_of(const std::vector<glm::vec3>& positions, const std::vector<uint32_t>& part)
 {
     const std::set<uint32_t> corners(part.begin(), part.end());

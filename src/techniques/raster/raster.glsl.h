@@ -100,7 +100,7 @@ struct DepthPartConstants {
     uint first_texel;
 };
 
-// Selects the triangles that the hardware path draws, and the picture.
+// Selects the triangles that the hardware path draws, and the picture to draw into.
 struct DrawConstants {
     mat4 clip_from_anchor;
     uvec2 size_px;

@@ -64,8 +64,8 @@ struct Tuning {
     /// The compute path culls batches with at least this many triangles by clusters before it draws them, if
     /// the clusters' boxes are known. On a GPU, culling smaller batches costs as much as it saves.
     uint32_t clusters_from = 2'000'000;
-    /// If true, one thread finds the bounding box of a whole cluster. Otherwise a workgroup does, with one
-    /// thread per triangle. Barriers in workgroups are slow on CPU devices.
+    /// If true, one thread finds the bounding box of a whole cluster. If false, a workgroup finds the box,
+    /// with one thread per triangle. Barriers in workgroups are slow on CPU devices.
     bool threads_bound_clusters = false;
 };
 

@@ -29,8 +29,9 @@ struct SunShadow {
     vec2 warp; // for a perspective map: clip y is warp.x - warp.y / w
 };
 
-// A square of texels of a clipmap level; both sizes are powers of two. The first column of the square is a
-// multiple of 4. The picture of the square starts at `first_texel`.
+// A square of texels of a clipmap level; the side of the square and of the level are powers of two. The first
+// column of the square is a multiple of 4. The depth picture that is drawn for the square starts at
+// `first_texel`.
 struct MixedSquare {
     uvec2 low; // lowest texel of the square, in two's complement
     // Bits 0-7: log2 of the square's side; bits 8-15: log2 of the level's side; from bit 16: level number.
@@ -67,11 +68,11 @@ struct EdgeProfile {
     float width_px;     // width of the lines that carry the teeth; the spacing of teeth follows from it
     float darkness;
     float variety; // variation of the teeth's lengths: 0 all equal, 1 some hardly visible
-    vec3 axis_0;   // for waves: axis across the first family of teeth
+    vec3 axis_0;   // for wave-shaped teeth: axis across the first set of teeth
     uint seed;
-    vec3 axis_1;    // for waves: axis across the second family of teeth
-    vec3 axis_2;    // for waves on lamps' shadows: axis across the third family of teeth
-    vec2 flat_axis; // for strokes: axis across the strokes of the hatching's first layer
+    vec3 axis_1;    // for wave-shaped teeth: axis across the second set of teeth
+    vec3 axis_2;    // for wave-shaped teeth of lamps' shadows: axis across the third set of teeth
+    vec2 flat_axis; // for teeth that are stroke ends: axis across the strokes of the hatching's first layer
     vec2 wind;
     vec2 ground_wind;
     vec3 towards_light;

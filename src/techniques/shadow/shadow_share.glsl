@@ -25,7 +25,7 @@ struct PageRates {
     vec3 dy;
 };
 
-// A family of teeth of a shadow edge, at a pixel.
+// A set of parallel teeth (small strokes) of a shadow edge, at a pixel.
 struct Teeth {
     LineField field; // the coordinate v across the teeth, and its change per pixel
     vec3 step_m;     // distance along the teeth that is one pixel on the page
@@ -117,8 +117,8 @@ EdgePoints wave_edge(Teeth first, Teeth second, EdgeProfile profile, vec3 point,
 // Data of a pixel that the shadow edges of all lights share.
 struct Edge {
     Teeth first;
-    Teeth second;   // second family of teeth, only for waves
-    Teeth third;    // third family of teeth, only for waves of lamps
+    Teeth second;   // second set of teeth, only for wave-shaped teeth
+    Teeth third;    // third set of teeth, only for wave-shaped teeth of lamps' shadows
     float m_per_px; // metres per pixel on a surface that faces the eye
 };
 
@@ -137,8 +137,8 @@ vec3 third_wave_point(Edge edge, EdgeProfile profile, vec3 point, float penumbra
     return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, profile, penumbra_px));
 }
 
-// Raises a lookup point that was moved into shadow towards the light. Otherwise the plane in which the point
-// moves could cut into a curved or folded surface, which would then shadow itself.
+// Raises a lookup point that was moved into shadow towards the light. Without the raise, the plane in which
+// it moves could cut into a curved or folded surface, which would then shadow itself.
 vec3 raised(vec3 moved, EdgePoints points, vec3 point, vec3 towards_light)
 {
     return points.lean < 0.0f ? moved : moved + towards_light * (0.7f * distance(moved, point));

@@ -101,8 +101,8 @@ float left_by_scene(ivec2 pixel, float own_depth)
     return nearest > own_depth ? 1.0 - line : 1.0;
 }
 
-// Change of the smoke surface's position over one pixel: the mean of both sides if the puff continues on
-// both.
+// Change of the smoke surface's position from one pixel to the next: the mean of the changes on both sides,
+// if the puff continues on both sides.
 vec3 step_along(ivec2 pixel, ivec2 way, vec3 point, float surface_m, float gap_m)
 {
     float after_m = smoke_at(pixel + way).z;

@@ -87,8 +87,8 @@ struct Stretch {
     uint finest; // number of the box with the shortest step
 };
 
-// The stretch of a ray from `from` to at most `most`, within which the set of boxes is constant; `boxes` is 0
-// outside all boxes.
+// The part of a ray from `from` on, to at most `most`, on which the set of smoke boxes around the ray is
+// constant. `boxes` is 0 outside all boxes.
 Stretch stretch_from(Ray ray, float from, float most)
 {
     Stretch stretch = Stretch(from, most, 0u, 0u);

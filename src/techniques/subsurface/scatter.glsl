@@ -24,7 +24,7 @@ const float half_page_variance_px2 = 0.85;
 
 const float nowhere_m = 1e30; // distance that marks pixels whose surface scatters no light
 
-// Kinds of light transport in a pixel; several may apply. This one: none.
+// Kinds of light transport in a pixel; several may apply. This constant means that no light is transported.
 const float takes_nothing = 0.0;
 const float takes_light_through = 1.0; // kind of light transport: light arrives from the body's far side
 const float takes_light_about = 2.0;   // kind of light transport: light spreads below the surface

@@ -35,8 +35,8 @@ const int in_rows = wide * wide; // index in `held` of the light that has been b
 
 shared vec4 held[wide * wide + side * wide]; // light in rgb, distance along the view in alpha
 
-// Change of a pixel's light, stored at index `at`, by its neighbours. They are `stride` apart in shared
-// memory, and `along` apart on the half page (every second pixel).
+// Change of a pixel's light, stored at index `at`, by its neighbours. The neighbours are `stride` apart in
+// shared memory, and `along` apart on the half page (every second pixel).
 vec3 change_along(int at, int stride, ivec2 half_pixel, ivec2 along)
 {
     vec4 own = held[at];

@@ -99,8 +99,8 @@ struct FarSide {
 };
 
 /// Adds a pass that finds where the view ray leaves each visible body. `behind` is the visibility buffer of
-/// the next scattering surfaces behind the visible ones, on the half page (every second pixel). Cost: one
-/// dispatch over the half page.
+/// the scattering surfaces right behind the visible surfaces, at every second pixel (the half page). Cost:
+/// one dispatch over the half page.
 [[nodiscard]] FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
                                    gpu::BufferId triangles, gpu::BufferId posed_vertices);
 
@@ -183,16 +183,16 @@ struct TextureLight {
     gpu::ImageId sum; ///< rgba32f: light scattered from other texels; alpha is 1 where the surface scatters
 };
 
-/// Adds passes that spread `light`, which falls on the map's texels, between texels. They use the diffusion
-/// profile of add_scatter().
+/// Adds passes that spread `light`, which falls on the map's texels, between texels. The passes use the
+/// diffusion profile of add_scatter().
 ///
-/// Cost    two dispatches per doubling of the reach in texels, and one more, over the map
-/// Source  d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007, and as add_scatter()
+/// Cost two dispatches per doubling of the reach in texels, and one more, over the map Source d'Eon, Luebke
+/// and Enderton, "Efficient Rendering of Human Skin", 2007, and as add_scatter()
 [[nodiscard]] TextureLight add_texture_scatter(gpu::Graph& graph, const TextureInputs& in,
                                                const TextureSurface& surface, gpu::ImageId light);
 
-/// Adds the map's spread light to the page's `light`, of which a share stays in place. Returns the new
-/// version of `light`. Cost: one full-screen dispatch.
+/// Adds the light that has spread in the map to the page's `light`. A part of `light` stays in place. Returns
+/// the new version of `light`. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_texture_page(gpu::Graph& graph, const TextureInputs& in,
                                             const TextureLight& spread, gpu::BufferId frame,
                                             gpu::BufferId visibility, gpu::ImageId light, glm::uvec2 size_px);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per particle: one relaxation of a Verlet step; the last relaxation ends the step. Only links
-// act. They have no compliance, and far links push as well as pull. Zanuttini, "Recherches en rendu non
-// réaliste temps réel", Université Paris 8, 2008, chapter 7.
+// move particles. The links have no compliance, and far links push as well as pull. Zanuttini, "Recherches en
+// rendu non réaliste temps réel", Université Paris 8, 2008, chapter 7.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

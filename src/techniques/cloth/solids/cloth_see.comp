@@ -36,7 +36,7 @@ uint ordered(float number)
     return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
 }
 
-// Position of a vertex: x and y in nodes from the lowest node, z in metres.
+// Position of a vertex in the grid of its body: x and y in nodes, counted from the lowest node; z in metres.
 vec3 corner_at(uint vertex)
 {
     vec3 own = turned_back(body.rotation, posed_vertices[vertex].position - body.centre_m);

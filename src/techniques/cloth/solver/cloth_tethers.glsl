@@ -24,7 +24,7 @@ float[5] there_about(int at, int size)
 
 // Bending of a grid as a thin plate in finite differences, without the differences that reach beyond the
 // edge. Returns the coefficient of the vector to the particle x, y places away, in the bending force at
-// rigidity 1. Adding these terms one by one needs fewer registers than all at once.
+// rigidity 1. Adding these terms one by one needs fewer registers than adding all terms together.
 float grid_bend_share(int x, int y, float columns[5], float rows[5])
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of solvers, and the passes of a step of the default solver.
+// The table of cloth solvers, and the passes of a simulation step of the default solver.
 #include "techniques/cloth/cloth.hpp"
 
 #include "shaders/cloth_step_comp.hpp"

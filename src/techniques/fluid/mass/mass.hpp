@@ -85,8 +85,8 @@ inline constexpr uint32_t mass_parts = 8;
 [[nodiscard]] uint32_t passes_of_mass_pressure();
 
 /// Advects quantities both ways in units of 1 / 65536, so that the sum of each quantity stays the same to the
-/// unit. Quantities may be negative; beyond 2048 they are cut. Returns carried.target. `carried.ways` is not
-/// used.
+/// unit. Quantities may be negative; quantities beyond 2048 are clamped. Returns `carried.target`.
+/// `carried.ways` is not used.
 [[nodiscard]] gpu::ImageId add_conserving_advection(gpu::Graph& graph, const Grid& grid,
                                                     const Carried& carried, float time_s);
 inline constexpr uint32_t passes_of_conserving_advection = 8;

@@ -37,8 +37,8 @@ void main()
     for (int axis = 0; axis < 3; ++axis) {
         gradient[axis] = curl_at(neighbour(cell, axis, 1)).w - curl_at(neighbour(cell, axis, -1)).w;
     }
-    // Vorticity confinement: the force is perpendicular to the curl and to the direction towards stronger
-    // vorticity, which is at most 1 long.
+    // Vorticity confinement: the force is perpendicular to the curl and to the gradient of its strength. The
+    // gradient is scaled to a length of at most 1.
     vec3 force = cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), curl_at(cell).xyz);
     imageStore(out_force, cell, vec4(force, 0.0));
 }

@@ -103,7 +103,7 @@ int place_of_frequency(int row, int k)
     return (row << log_length) + int(bitfieldReverse(uint(k)) >> (32 - log_length));
 }
 
-// Position in the row of the j-th number that enters the transform.
+// Position in its row of the number that enters the transform in place j.
 int reordered(int j)
 {
     int n = row_length();
@@ -237,8 +237,8 @@ int to_second_row()
     return axis_of_rows() == 0 ? int(transform.width) : 1;
 }
 
-// Pair of rows, and the number within its rows, that item `i` processes. Neighbouring threads take neighbours
-// along x, so that memory accesses coalesce.
+// Index of the pair of rows, and of the number within its rows, that a thread processes in its `i`-th unit of
+// work. Neighbouring threads take neighbours along x, so that memory accesses coalesce.
 ivec2 work_of(int i)
 {
     return axis_of_rows() == 0 ? ivec2(i >> transform.log_length, i & (row_length() - 1))

@@ -194,7 +194,8 @@ public:
     }
 
 private:
-    /// Adds two smoothing sweeps of a multigrid level; the first half sweep uses `first_bits`.
+    /// Adds two smoothing sweeps of a multigrid level. `first_bits` are added to `variant` in the first half
+    /// sweep.
     [[nodiscard]] gpu::BufferId swept(size_t level, gpu::BufferId divergence, gpu::BufferId pressure,
                                       gpu::BufferId coarse_pressure, uint32_t first_bits)
     {

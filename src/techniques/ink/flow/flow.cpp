@@ -31,8 +31,8 @@ struct PlaneWave {
     double turns_per_s = 0.0;
 };
 
-/// One of the ink's waves. Waves come in three sizes, with two crossing waves of each size; smaller waves
-/// flow slower and change sooner.
+/// Makes one of the waves that move the ink. Waves come in three sizes, with two crossing waves of each size;
+/// smaller waves flow slower and change sooner.
 PlaneWave plane_wave(const InkStyle& style, size_t i)
 {
     constexpr double golden_turn = 0.618034;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One corner of a triangle of a batch. If LISTED_BINDING is defined, it is the binding of a list of triangles
-// to draw.
+// One corner of a triangle of a batch. If LISTED_BINDING is defined, LISTED_BINDING is the binding of a list
+// of triangles to draw.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -27,8 +27,8 @@ struct DepthViews {
     gpu::BufferId bounds;                  ///< boxes of the triangles' clusters, from add_cluster_bounds()
     RasterPath path = RasterPath::compute; ///< raster path for the views; never automatic
     Tuning tuning;
-    /// Tiles of the views that will be read later. The compute path clears nothing outside these tiles and
-    /// draws there over the old content.
+    /// Tiles of the views that will be read later. Outside these tiles, the compute path does not clear the
+    /// old content before it draws.
     std::optional<ViewTiles> tiles = std::nullopt;
 };
 

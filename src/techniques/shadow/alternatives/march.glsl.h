@@ -7,12 +7,12 @@ namespace estampe::shared {
 #endif
 
 struct MarchConstants {
-    uvec2 size;    // size of each height field in texels; fields are stacked vertically
+    uvec2 size;    // size of each height field in texels; the fields are stacked vertically in the image
     vec2 sunwards; // one step of the ray towards the sun, in texels
     float rise;    // rise of the ray towards the sun, as height per level distance
     uint step_count;
     uint field_count;
-    float texel_m[5];     // distance between two texels of each field
+    float texel_m[5];     // distance between two texels of each height field
     float blur_texels[5]; // standard deviation of the blur of each field; 0 does not blur
 };
 

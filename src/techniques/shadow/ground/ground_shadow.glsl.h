@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_GROUND_SHADOW_GLSL_H
 #define ESTAMPE_GROUND_SHADOW_GLSL_H
-// Fields of the ground's heights and horizons around the eye. Each field is four times as coarse as the
-// previous field.
+// Square fields (grids) of the ground's heights and horizons around the eye. Each field is four times as
+// coarse as the previous field.
 #ifdef __cplusplus
 #include "shaders/field_sector.glsl.h"
 namespace estampe::shared {
@@ -25,7 +25,7 @@ struct GroundLevel {
 // of the dispatch selects the field.
 struct GroundKeepConstants {
     uint size;
-    uint level[5]; // level number of each field; level 0 is the finest
+    uint level[5]; // level of detail of each height field; level 0 is the finest
     FieldSector wanted;
 };
 

@@ -94,7 +94,8 @@ struct Piece {
 void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::span<const Bounds> places,
                 std::span<const Piece> pieces, std::vector<uint32_t>& tiles);
 
-/// A part of a clipmap piece that is contiguous in the map, because levels wrap around.
+/// A part of a clipmap piece (a rectangle of texels to draw) that is contiguous in the map. A piece may have
+/// several parts, because levels wrap around.
 struct PieceHome {
     glm::uvec2 from{0}; ///< first texel of this part, counted from the piece's corner
     glm::uvec2 size{0};

@@ -146,9 +146,9 @@ float sun_reach_m(vec3 point)
     return max(1.0 - depth, 0.0) * sun_shadow.depth_m * sun_shadow.sun_slope;
 }
 
-// Half width in metres, perpendicular to the sun, of the penumbra at `point`. It is computed from the mean
-// distance of blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). 0 without
-// blockers.
+// Half width in metres, perpendicular to the sun, of the penumbra at `point`. The width is computed from the
+// mean distance of blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). 0
+// without blockers.
 float sun_penumbra_m(vec3 point, vec3 normal, vec3 towards_sun)
 {
     const uint count = 48u;
