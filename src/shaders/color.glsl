@@ -74,9 +74,8 @@ uint straight_srgb_bytes(vec3 paper, vec3 color, float page_alpha, vec3 shown)
     vec3 wanted = srgb_from_linear(clamp(shown, 0.0, 1.0));
     vec3 below = srgb_from_linear(clamp(paper, 0.0, 1.0));
     vec3 pigment = srgb_from_linear(clamp(page.rgb / page.a, 0.0, 1.0));
-    // Smallest difference between pigment and paper for which alpha is chosen so that the pigment comes
-    // nearest to the wanted colour. If the pigment is too similar to the paper, its coverage of the pixel is
-    // used.
+    // If pigment and paper differ by less than this value, alpha is the pigment's coverage of the pixel. If
+    // they differ by more, alpha is chosen so that the pigment comes nearest to the wanted colour.
     const float least_way = 0.02;
     vec3 way = below - pigment;
     float length_2 = dot(way, way);

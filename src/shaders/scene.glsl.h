@@ -106,7 +106,7 @@ struct MaterialRecord {
     float unused;
     TextureSlot base_texture;
     TextureSlot normal_texture;
-    TextureSlot occlusion_texture; // red: the share of light that passes is 1 + strength * (red - 1)
+    TextureSlot occlusion_texture; // its red channel: share of light that passes is 1 + strength * (red - 1)
 };
 
 #ifdef __cplusplus

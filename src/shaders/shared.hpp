@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lets the headers named *.glsl.h, which describe data that C++ and GLSL share, compile as C++: GLSL's type
-// names become GLM's, and the scalar block layout that the shaders use is C++'s own. shaders/shared.glsl is
-// the counterpart for GLSL.
+// Lets the headers named *.glsl.h compile as C++. These headers describe data that C++ and GLSL share. GLSL's
+// type names become GLM's, and the scalar block layout that the shaders use is C++'s own. shaders/shared.glsl
+// is the counterpart for GLSL.
 
 #include <cstddef>
 #include <cstdint>

@@ -84,8 +84,8 @@ vec3 solid_axis(StrokeAxes axes, uint kind, uint family)
 }
 
 // Direction across flat strokes. Over UVs and on the page, layers are rotated against each other. Along the
-// form, layers use its two directions and their diagonal, because only integer combinations of the two are
-// continuous everywhere.
+// form of a surface, layers use the form's two directions and their diagonal, because only integer
+// combinations of the two directions are continuous everywhere.
 vec3 flat_axis(StrokeAxes axes, uint kind, uint layer)
 {
     vec2 turned = layer == 0u ? axes.flat_axis_0 : layer == 1u ? axes.flat_axis_1 : axes.flat_axis_2;

@@ -136,8 +136,8 @@ struct FluidMatter {
     float outside_vapour; // vapour of the outside air, limited by its saturation
 };
 
-// One level of the multigrid solver, or of data with the multigrid's layout; a cell spans 2^level cells of
-// the grid. Buffers store all levels, finest first; this level starts at `first`.
+// One level of the multigrid solver, or of data that is stored in the same levels; a cell spans 2^level cells
+// of the grid. Buffers store all levels, finest first; this level starts at `first`.
 struct FluidLevel {
     uint width;
     uint height;
@@ -198,8 +198,8 @@ SHARED_CONSTANT uint fluid_most_shapes = 64U;
 SHARED_CONSTANT uint fluid_stands_still = 0xffffffffU;
 SHARED_CONSTANT uint fluid_most_channels = 8U;
 
-// Tile size of the passes that compute several steps at once: a workgroup computes a square of cells and
-// loads a halo around it.
+// Side of a tile in the passes that compute several iterations in one dispatch: a workgroup computes a square
+// of cells and loads a halo around the square.
 SHARED_CONSTANT uint fluid_tile = 32U;
 SHARED_CONSTANT uint fluid_halo = 5U;
 SHARED_CONSTANT uint fluid_most_rounds = 4U; // most Jacobi iterations per pass

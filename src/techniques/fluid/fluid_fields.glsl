@@ -41,7 +41,7 @@ int place_in_grid(int place, int size, bool is_round)
     return is_round ? turned : clamp(place, 0, size - 1);
 }
 
-// The cell that is `steps` cells away along an axis; `steps` is at most the number of cells along it.
+// The cell that is `steps` cells away along an axis; `steps` is at most the number of cells along this axis.
 ivec3 neighbour(ivec3 cell, int axis, int steps)
 {
     cell[axis] = place_in_grid(cell[axis] + steps, fluid_size()[axis], is_periodic(axis));

@@ -63,8 +63,8 @@ const int strip = (variant & ink_in_strips) != 0u ? int(ink_strip) : 1;
 
 #include "shaders/hash.glsl"
 
-// A spot at a place. x: the share of its ink that the spot gives, 0 to 1; y: the spot's rank, 0 to 1. When
-// the covered area nears its budget, spots of high rank give no ink.
+// A spot of ink at a place. x: the share of its ink that the spot gives, 0 to 1; y: the spot's rank, 0 to 1.
+// When the area covered by ink nears the style's limit, spots of high rank give no ink.
 vec2 no_spot()
 {
     return vec2(0.0, 1.0);

@@ -201,7 +201,8 @@ Tile find_tile(uvec2 from_px, bool sees, vec3 point)
     }
     barrier();
     vec2 corner = vec2(from_px);
-    // The corner points are at a depth of about the scene's size, so that directions are precise.
+    // The points at the tile's corners are taken at a depth of about the scene's size, so that directions are
+    // precise.
     bool is_parallel = frame.is_orthographic != 0u;
     float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
     vec3 middle = anchor_at(frame, corner + 4.0, depth);

@@ -189,8 +189,8 @@ struct LitPixels {
     /// r32ui: octahedral direction towards the strongest light if it is local, else 0; an image of one texel
     /// unless `keeps_strongest`.
     gpu::ImageId strongest;
-    /// r32f: share of the first directional light that is not in shadow; negative where the light is absent
-    /// or grazing; an image of one texel unless `keeps_sun`.
+    /// r32f: share of the first directional light that is not in shadow; negative where there is no such
+    /// light, or where it only grazes the surface; an image of one texel unless `keeps_sun`.
     gpu::ImageId sun;
 };
 

@@ -54,7 +54,8 @@ vec4[4] sides_of(uint tile)
     vec2 high = min(low + float(list_tiles.tile_px), vec2(frame.size_px));
     vec2 corners[4] = vec2[](low, vec2(high.x, low.y), high, vec2(low.x, high.y));
     bool is_parallel = frame.is_orthographic != 0u;
-    // The corner points are at a depth of about the scene's size, so that the planes are precise.
+    // The points at the tile's corners are taken at a depth of about the scene's size, so that the planes are
+    // precise.
     float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
     vec3 from[4];
     vec3 far[4];

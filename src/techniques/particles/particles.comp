@@ -165,8 +165,8 @@ void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m
     mass.fold = max(mass.fold * (1.0 - hides), arc * smoothstep(0.2, 0.5, solid));
 }
 
-// Sums over all sprites at a place. A subgroup may span the lists of two tiles if a tile of the page is
-// drawn; lanes past their list's end add nothing.
+// Sums over all sprites at a place. If only a tile of the page is drawn, a subgroup may read the sprite lists
+// of two tiles. Lanes past the end of their list add nothing.
 Mass mass_at(vec2 place, float surface_m, bool is_crisp)
 {
     uvec2 tile = min(uvec2(place), frame.page_px - 1u) / particle_tile_px;

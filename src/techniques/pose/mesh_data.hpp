@@ -148,9 +148,9 @@ struct PoseData {
 /// Whether no triangle is two-sided or mirrored, as Range::plain states.
 [[nodiscard]] bool is_plain(std::span<const glm::uvec4> triangles);
 
-/// Updates the mirrored flags of triangles and ranges to the draw calls that `pose` mirrors; returns whether
-/// any changed. Initially no triangle is flagged. Cost: linear in draw calls, and in triangles if any
-/// changed.
+/// Updates the mirrored flags of triangles and ranges to match the draw calls that `pose` mirrors. Returns
+/// whether any flag changed. Initially no triangle is flagged. Cost: linear in draw calls, and in triangles
+/// if any flag changed.
 [[nodiscard]] bool turn_triangles(MeshData& meshes, const PoseData& pose);
 
 /// Indices of solid triangles, which are opaque or masked, without blank ground and terrain.

@@ -106,7 +106,7 @@ struct DrawConstants {
     uvec2 size_px;
     uint first_triangle;
     uint triangle_count;
-    uint peeled_width_px; // width of the visibility buffer that is peeled
+    uint peeled_width_px; // width of the visibility buffer of the previous layer (depth peeling)
     uint second;          // pixels to draw in depth peeling at half resolution, see draws_second
 };
 

@@ -69,7 +69,7 @@ struct Tuning {
     bool threads_bound_clusters = false;
 };
 
-/// The fastest tuning for a device.
+/// Returns the tuning of raster work that is fastest on a device.
 [[nodiscard]] Tuning tuning_of(const gpu::ExecutionProfile& execution);
 
 struct View {
@@ -78,8 +78,8 @@ struct View {
     bool cull_back_faces = true;           ///< culls back faces of triangles that are not two-sided
     RasterPath path = RasterPath::compute; ///< raster path for the view; never automatic
     Tuning tuning;
-    /// Depth peeling: the visibility buffer of the surface to peel away, of equal size. Only surfaces behind
-    /// it are drawn; at equal depths, only triangles with a lower number.
+    /// Depth peeling: the visibility buffer of the previous layer, of equal size. Only surfaces behind that
+    /// layer are drawn; at equal depths, only triangles with a lower number.
     std::optional<gpu::BufferId> behind = std::nullopt;
     /// Draws only every second pixel in x and y, starting with this one, 0 or 1. Requires `behind`, which has
     /// twice the size of the picture.
@@ -143,10 +143,11 @@ struct DepthPart {
 /// Size in bytes of the bounding boxes of all clusters in a list of `triangle_count` triangles.
 [[nodiscard]] uint64_t cluster_bounds_bytes(uint64_t triangle_count);
 
-/// Adds a pass that computes the clusters' bounding boxes. Needed again after vertices have moved.
+/// Adds a pass that computes the clusters' bounding boxes. The boxes must be computed again after vertices
+/// have moved.
 ///
-/// Writes  `bounds`: ClusterBounds, of cluster_bounds_bytes()
-/// Cost    one dispatch: a thread per triangle, or per cluster with Tuning::threads_bound_clusters
+/// Writes `bounds`: ClusterBounds, of cluster_bounds_bytes() Cost one dispatch: a thread per triangle, or per
+/// cluster with Tuning::threads_bound_clusters
 [[nodiscard]] gpu::BufferId add_cluster_bounds(gpu::Graph& graph, const RasterInputs& in,
                                                uint32_t triangle_count, gpu::BufferId bounds,
                                                const Tuning& tuning = {});

@@ -62,7 +62,8 @@ vec3 smooth_at(int level, vec2 pixel, vec2 size_px)
     return sum;
 }
 
-// Standard deviation, in pixels of the page, of the blur that a level's halvings and the spline make.
+// Standard deviation, in pixels of the page, of the blur of one background level: the blur by repeated
+// halving together with the blur by the spline.
 float deviation_of(int level)
 {
     float side = float(1 << level);

@@ -50,8 +50,8 @@ bool is_on_half_page(ivec2 half_pixel)
 }
 
 // Tile side of the blur's workgroups. A workgroup processes pixels that are as far apart as the blur's taps,
-// so that all taps are in the tile except for two pixels at each side. Interleaved tiles have consecutive
-// numbers.
+// so that all taps are in the tile except for two pixels at each side. Tiles whose pixels interleave have
+// consecutive numbers.
 const uint blur_tile_side = 16u;
 
 uvec2 blur_groups(uint level)

@@ -55,7 +55,7 @@ layout(push_constant, scalar) uniform Constants
 const float most_light = 65504.0; // largest number that a half float can hold
 
 shared uint widest_of_group; // largest scattering distance in the workgroup, on the page, as float bits
-// One bit for each square in and around this workgroup; set if the square receives light.
+// One bit for each square of the page in and around this workgroup; set if the square receives light.
 shared uint reached_about;
 shared uint newly_reached; // number of squares that this workgroup lists
 shared uint first_listed;  // index in the list of the workgroup's first square

@@ -57,7 +57,7 @@ float darkness_at(ivec2 pixel)
 
 struct Darkness {
     float here;
-    float steepness; // increase of darkness per pixel; known only near the shadow's edge
+    float steepness; // increase of darkness from pixel to pixel; known only near the shadow's edge
 };
 
 bool is_near_edge(float dark)

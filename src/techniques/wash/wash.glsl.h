@@ -15,7 +15,7 @@ SHARED_CONSTANT uint wash_has_screen = 1U << 1U; // there are transparent surfac
 SHARED_CONSTANT uint wash_has_background = 1U << 2U;
 // Only surfaces of the variant `style_variant` are painted.
 SHARED_CONSTANT uint wash_is_of_one_variant = 1U << 3U;
-SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U; // alpha of the wash is the coverage by objects
+SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U; // the wash stores the coverage by objects in alpha
 
 struct WashConstants {
     ToneConstants tone;

@@ -41,7 +41,7 @@ struct WashInputs {
     bool has_screen = false;
     gpu::ImageId background;    ///< wash of the background (sky), where no surface is visible
     bool has_background = true; ///< false: the background is bare paper
-    bool keeps_cover = false;   ///< alpha of the wash is the coverage by objects; bare ground covers nothing
+    bool keeps_cover = false;   ///< the wash stores the coverage by objects in alpha
     glm::uvec2 size_px{0};
     std::optional<gpu::BufferId> variant_of_draw; ///< style variant of each draw call, r32ui texels; only if
                                                   ///< there are several variants

@@ -70,7 +70,7 @@ float torn_bend_share(int x, int y, float columns[5], float rows[5], uvec2 torn)
 }
 
 // Bending coefficient of a link in a sheet with lists. The bending force is a sum over hinges (two triangles
-// at an edge). Next to a tear it is omitted, because an incomplete hinge would add energy.
+// at an edge). Next to a tear the bending force is omitted, because an incomplete hinge would add energy.
 float torn_bending(float bending, uvec2 torn, uint other)
 {
     return may_tear && (torn != uvec2(0u) || torn_of(other) != uvec2(0u)) ? 0.0 : bending;

@@ -40,7 +40,7 @@ struct Solids {
 
 struct Projected {
     gpu::ImageId velocity;
-    gpu::ImageId reflected; ///< velocity reflected at the projected one, or `velocity` itself
+    gpu::ImageId reflected; ///< 2 * projected velocity - velocity before; or `velocity` itself
 };
 
 /// Replaces Solver::automatic by the solver that is used for a grid. Throws std::logic_error if `solver`

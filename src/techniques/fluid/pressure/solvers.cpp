@@ -51,10 +51,11 @@ std::vector<shared::FluidLevel> levels_of(const Grid& grid)
 }
 
 // Geometric multigrid with aggregated cells: the pressure of a coarse cell is added to its four cells
-// unchanged, and their residuals are summed. Red-black smoothing, two sweeps before and two after. In tiles,
-// the way down and the way up of a level are one pass each; all small levels together are one pass. Source:
-// Trottenberg, Oosterlee and Schüller, "Multigrid", 2001; on over-correction of aggregates, Braess, "Towards
-// algebraic multigrid for elliptic problems of second order", Computing 55, 1995.
+// unchanged, and their residuals are summed. Each level is smoothed by two red-black sweeps before and two
+// after the coarser levels. The way down and the way up of a level are one pass each, which works in tiles;
+// all small levels together are one pass. Source: Trottenberg, Oosterlee and Schüller, "Multigrid", 2001; on
+// over-correction of aggregates, Braess, "Towards algebraic multigrid for elliptic problems of second order",
+// Computing 55, 1995.
 
 namespace {
 

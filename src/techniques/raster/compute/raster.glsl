@@ -105,7 +105,7 @@ ivec2 place_of_tile(uint part_and_tile)
 #endif
 
 const float subpixels = 256.0;
-// 2^21 pixels: differences of such positions fit 32 bits, edge functions fit 64 bits.
+// 2^21 pixels: differences of positions up to this limit fit 32 bits, and edge functions fit 64 bits.
 const float guard_px = 2097152.0;
 
 // A triangle on the page: positions in 1/256 pixel, y down, ordered so that its area is positive.

@@ -20,7 +20,8 @@ struct ViewTiles {
 };
 
 /// The depth views to draw, on CPU and GPU. Sizes are multiples of 2 and at most 16384 texels, first texels
-/// multiples of 4; maps do not overlap. At most 32768 views. Only compute supports RasterView::turn_px.
+/// multiples of 4; maps do not overlap. There are at most 32768 views. Only the compute path supports
+/// RasterView::turn_px.
 struct DepthViews {
     const std::vector<shared::RasterView>& list; ///< all views; place_views() must have placed them
     gpu::BufferId records;                       ///< copy of `list` in a device buffer

@@ -57,7 +57,7 @@ shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& le
     if (level < 0.1) {
         return {};
     }
-    // Directions to the page's corners, as lateral distance per unit of distance ahead.
+    // Directions from the eye to the page's corners, as lateral distance per unit of distance ahead.
     const glm::dvec2 ahead = middle / level;
     const glm::dvec2 aside(-ahead.y, ahead.x);
     double least = std::numeric_limits<double>::infinity();
@@ -71,8 +71,8 @@ shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& le
         least = std::min(least, share);
         most = std::max(most, share);
     }
-    // A point above the ground looks up the ground at the place where its shadow falls, on the side away from
-    // the sun.
+    // For a point above the ground, the height field is read at the place where the point's shadow falls, on
+    // the side away from the sun.
     const glm::dvec2 shadow_m = -sight.relief_m / std::max(sight.towards_sun.y, 0.01) *
                                 glm::dvec2(sight.towards_sun.x, sight.towards_sun.z);
     shared::FieldSector sector{};

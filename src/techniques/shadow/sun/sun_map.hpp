@@ -71,7 +71,8 @@ struct Piece {
 };
 
 /// Makes clipmap levels from texels of `finest_m`, rounded down to a power of two, up to a level that covers
-/// `radius_m` around any place among the casters. If `most_levels` do not suffice, all levels are coarser.
+/// `radius_m` around any place among the casters. If that takes more than `most_levels` levels, all levels
+/// are made coarser.
 [[nodiscard]] Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m);
 
 /// Centres the clipmap levels' windows at the eye, or at the point of the casters' box that is nearest to the
@@ -99,7 +100,7 @@ void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::spa
 struct PieceHome {
     glm::uvec2 from{0}; ///< first texel of this part, counted from the piece's corner
     glm::uvec2 size{0};
-    uint32_t texel = 0; ///< index of the part's first texel in the map; rows are one level size apart
+    uint32_t texel = 0; ///< index of the part's first texel in the map; two rows are one level width apart
 };
 
 /// The places in the map where a piece of a clipmap level is stored: at most four rectangles, because a level
@@ -145,7 +146,7 @@ struct MixInputs {
     gpu::BufferId pictures; ///< depths of moving objects in squares, one after another; a square of a whole
                             ///< level has the level's wrapped layout
     gpu::BufferId still;    ///< depths of static objects, all clipmap levels
-    gpu::BufferId tiles;    ///< tiles of the pictures, from list_tiles()
+    gpu::BufferId tiles;    ///< tiles of the depth pictures to merge, from list_tiles()
     uint32_t tile_count = 0;
 };
 

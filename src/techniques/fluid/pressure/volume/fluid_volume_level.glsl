@@ -3,7 +3,7 @@
 #define ESTAMPE_FLUID_VOLUME_LEVEL
 
 // A level of the 3D multigrid. Requires `variant`; `weights`, a texel buffer; and `level`, a
-// FluidVolumeLevel. The pressure equation of a cell is that of fluid_tile.glsl, with six faces.
+// FluidVolumeLevel. The pressure equation of a cell is the equation in fluid_tile.glsl, with six faces.
 
 ivec3 level_size()
 {
