@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <estampe/shapes.hpp>
@@ -201,11 +202,14 @@ TEST(Through, LiesBetweenItsNeighboursOnThePage)
             far_side_of(scene, camera,
                         {.enabled = true, .depth_m = 0.2F, .tint = glm::vec3(0.5F), .strength = 1.0F}, path);
         int count = 0;
+        float most = 0.0F;
         for (size_t i = 0; i < far.on_page.size(); ++i) {
             const float light = far.on_page[i].x;
-            EXPECT_TRUE(light == 0.0F || std::abs(light - 0.5F) < 2e-3F) << i << ": " << light;
+            most = light == 0.0F ? most : std::max(most, std::abs(light - 0.5F));
             count += light > 0.0F ? 1 : 0;
         }
+        EXPECT_LT(most, 2e-3F);
+        RecordProperty("most", fmt::format("{:.2g}", most));
         EXPECT_EQ(count, 60 * 60) << "all of the box's front";
     }
 }
