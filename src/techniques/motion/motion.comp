@@ -33,7 +33,8 @@ vec4 vertex_before(uint vertex)
     return vec4(uintBitsToFloat(texelFetch(vertex_texels_before, int(vertex)).xyz), 1.0);
 }
 
-// A point in homogeneous coordinates of anchor space, in this frame and in the previous frame.
+// A point in homogeneous coordinates of anchor space (relative to a nearby origin), in this frame and in the
+// previous frame.
 struct Point {
     vec4 now;
     vec4 before;
@@ -53,8 +54,8 @@ Point seen_point(uvec2 seen, vec2 position_px)
                      weight);
 }
 
-// A point of the background at a pixel. It is infinitely far away; in a parallel view it lies on the far
-// plane.
+// A point of the background at a pixel. The background is infinitely far away; in a parallel view it lies on
+// the far plane.
 Point far_point(vec2 position_px)
 {
     vec4 far = frame.anchor_from_clip * vec4(ndc_at(position_px, frame.size_px), 0.0, 1.0);

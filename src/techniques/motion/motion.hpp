@@ -13,7 +13,7 @@ struct MotionInputs {
     gpu::BufferId visibility;
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    /// Posed vertices at the other moment; equals `posed_vertices` if nothing moved.
+    /// Posed vertices at the other moment; the same buffer as `posed_vertices` if nothing moved.
     gpu::BufferId posed_vertices_before;
     glm::mat4 clip_from_anchor{1.0F}; ///< camera of the current frame, without subpixel antialiasing shift
     glm::mat4 clip_from_anchor_before{1.0F};
@@ -25,7 +25,8 @@ struct MotionInputs {
 ///
 /// Writes  rgba32f: motion in pixels to the right and down; reversed depth of the point at the other moment
 ///         (0 at infinity); and 1 if the motion is known, 0 if the point was behind the eye. If the picture
-///         of the other moment has another depth at that place, the point was hidden there
+///         of the other moment has another depth at the point's place, the point was hidden at the other
+///         moment
 /// Cost    one full-screen dispatch that gathers three vertices twice per pixel and writes 16 bytes per pixel
 [[nodiscard]] gpu::ImageId add_motion(gpu::Graph& graph, const MotionInputs& in);
 

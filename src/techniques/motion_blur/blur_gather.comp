@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs one pixel of the listed tiles. It computes the surfaces that pass over the pixel during
-// the exposure, and the surface that is visible when nothing passes. It reads all other pixels from a packed
-// copy, so that the layers can be modified in place.
+// One thread blurs one pixel of the listed tiles. The thread computes the surfaces that pass over the pixel
+// during the exposure, and the surface that is visible when nothing passes. The thread reads all other pixels
+// from a packed copy, so that the layers can be modified in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -68,7 +68,7 @@ void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, 
     int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most) : 0;
     vec2 forward = way / max(reach_px, 1e-6);
     float step_px = (2.0 * reach_px + 1.0) / float(max(taps, 1));
-    // The do loop runs at least once. Without motion, that one sample has the weight 0.
+    // The do loop runs at least once. Without motion, the only sample has the weight 0.
     int i = 0;
     do {
         float along_px = (float(i) + 0.5) * step_px - reach_px - 0.5;
@@ -122,8 +122,9 @@ void main()
     float own_depth = texelFetch(owner_depth_image, pixel, 0).x;
     bool is_moving = own_way != vec2(0.0);
     Passing passing = Passing(no_sample, 0.0, no_sample, 0.0);
-    // The pixel is blurred along two paths: the longest motion in its tile, for other surfaces that pass over
-    // the pixel, and the motion of the pixel's own surface. One path is enough if both are nearly equal.
+    // The pixel is blurred along two paths. The longest motion in the pixel's tile is the path of surfaces
+    // that pass over the pixel. The motion of the pixel's own surface is the second path. One path is enough
+    // if both motions are nearly equal.
     bool is_same = length_of(longest - own_way) < 0.05 * length_of(longest);
     int most = is_same || !is_moving ? most_taps : most_taps_of_two;
     pass_along(pixel, longest, most, own_way, own_depth, passing);

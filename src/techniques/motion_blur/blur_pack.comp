@@ -54,8 +54,9 @@ void main()
     LineOwner owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
     vec2 way = half_way(texelFetch(motion_image, owner.pixel, 0));
     if (is_stretched && way == vec2(0.0)) {
-        // The displaced, stretched shape may not cover a pixel of the moving surface. Such a pixel is blurred
-        // by the surface's own motion; otherwise it would stay sharp.
+        // The displaced, stretched shape may not cover a pixel of the moving surface. An uncovered pixel of
+        // the moving surface is blurred by the surface's own motion, because the pixel would stay sharp
+        // otherwise.
         way = half_way(texelFetch(own_motion_image, owner.pixel, 0));
     }
     imageStore(out_texel, pixel,

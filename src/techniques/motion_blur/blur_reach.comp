@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one tile. It finds the longest displacement that reaches the tile, from the tile itself
-// or from other tiles. It lists the tile if its pixels must be drawn.
+// One thread handles one tile. The thread finds the longest displacement that reaches the tile, from the tile
+// itself or from other tiles. The thread lists the tile if the tile's pixels must be drawn.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -38,8 +38,8 @@ void main()
     do {
         TileAbout about = tile_about(tile, reach, i, count);
         vec2 way = texelFetch(tile_image, about.tile, 0).xy;
-        // A displacement in another tile reaches this tile if it is at least as long as the gap between the
-        // two tiles, along each axis.
+        // A displacement in another tile reaches this tile if, along each axis, the displacement is at least
+        // as long as the gap between the tiles.
         bool gets_here = all(greaterThanEqual(abs(way), vec2(about.between * int(blur_tile_px))));
         longest = gets_here && dot(way, way) > dot(longest, longest) ? way : longest;
     } while (++i < tiles);

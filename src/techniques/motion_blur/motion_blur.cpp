@@ -96,7 +96,8 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
 }
 
 // The seeds (possible starts) of smear strokes are thinned out to a minimum distance by the second method of
-// Matérn, "Spatial Variation", 1960. In this method, each point depends only on the points around it.
+// Matérn, "Spatial Variation", 1960. In Matérn's second method, each seed depends only on the seeds around
+// the seed.
 
 namespace {
 
@@ -228,7 +229,8 @@ constexpr float longest_line_mm = 30.0F;
 struct Packed {
     gpu::ImageId page;
     gpu::ImageId depth;
-    gpu::ImageId hatch; ///< hatching with the sky's strokes, if these are added; otherwise a single texel
+    /// Hatching and the sky's strokes, if sky strokes are added; otherwise a single texel.
+    gpu::ImageId hatch;
 };
 
 Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,

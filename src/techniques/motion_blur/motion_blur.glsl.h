@@ -23,7 +23,7 @@ struct MotionBlurConstants {
     uvec2 size_px;
     uvec2 window_min_px; // corner of the window, the part of the image that is visible later
     uvec2 window_max_px;
-    float scale;         // motion times this factor is the displacement in half the exposure
+    float scale;         // the motion times `scale` is the displacement in half the exposure
     float most_px;       // upper limit of the displacement in half the exposure
     float line_reach_px; // largest distance of a line's pixel from the edge that the line follows
     float cell_px;       // side of a cell of the page; each cell has at most one speed line
@@ -55,13 +55,13 @@ struct SmearStroke {
     float half_px;
     float depth; // reversed depth of the body (1 at the near plane)
     uint random;
-    float least_px; // a pixel that moves farther than this along the motion belongs to the body
+    float least_px; // least motion, along the body's motion, of a pixel that belongs to the body
 };
 
 struct SmearConstants {
     mat4 clip_from_anchor_before;
     uvec2 size_px;
-    float scale;        // motion times this factor is the displacement in half the exposure
+    float scale;        // the motion times `scale` is the displacement in half the exposure
     float most_px;      // upper limit of the displacement in half the exposure
     float length_share; // length of smear strokes, as a multiple of the displacement
     float spacing_px;   // distance between smear strokes, across the motion

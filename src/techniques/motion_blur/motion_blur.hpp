@@ -43,7 +43,8 @@ struct MotionBlurStyle {
 [[nodiscard]] const style::Table<MotionBlurStyle>& motion_blur_table();
 
 /// Approximate number of seeds (possible starts) of smear strokes in a scene, divided equally between the
-/// draw calls. Each draw call has at least four seeds, so a scene may have up to four times this number.
+/// draw calls. Each draw call has at least four seeds, so a scene may have up to four times the approximate
+/// number.
 inline constexpr uint32_t smear_seed_count = 2048;
 
 /// Distributes seeds (possible starts) of smear strokes evenly over the area of each draw (mesh primitive) of
@@ -53,7 +54,8 @@ inline constexpr uint32_t smear_seed_count = 2048;
                                                           std::span<const glm::uvec4> triangles,
                                                           std::span<const glm::vec3> places);
 
-/// Seeds of smear strokes on the device. They are made when a style uses smear strokes for the first time.
+/// Seeds of smear strokes on the device. The seeds are made when a style uses smear strokes for the first
+/// time.
 struct SmearSeeds {
     gpu::Buffer places;
     uint32_t count = 0;
@@ -86,8 +88,8 @@ struct SmearPage {
 [[nodiscard]] shared::SmearConstants smear_constants_of(const MotionBlurStyle& style, float scale,
                                                         float most_px, float pixels_per_mm);
 
-/// Draws smear strokes into the ink layer `lines`. This layer stays bit-identical if nothing moves, or if the
-/// scene has nothing that can move.
+/// Draws smear strokes into the ink layer `lines`. The layer `lines` stays bit-identical if nothing moves, or
+/// if the scene has nothing that can move.
 ///
 /// Cost    one thread per seed, which walks to the edge of its body; one thread per stroke, which compares
 ///         the stroke with all others; lists for blocks of 64 x 64 pixels; one pass over the page with at
@@ -113,7 +115,7 @@ struct VelocityShapeInputs {
     /// Transforms positions of the previous frame, so that the current camera sees them at the place where
     /// the previous camera saw them.
     glm::mat4 now_from_before{1.0F};
-    float share = 0.0F; ///< motion times this factor is the displacement in half the exposure
+    float share = 0.0F; ///< the motion times `share` is the displacement in half the exposure
 };
 
 /// Vertices of a shape that is drawn only to get a velocity per pixel: its current and its previous vertices.

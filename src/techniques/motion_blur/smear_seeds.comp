@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one seed on a moving body. From the seed, it walks back along the motion to the body's
-// trailing edge, where the body uncovers the background. A smear stroke may begin at that edge.
+// One thread handles one seed on a moving body. From the seed, the thread walks back along the motion to the
+// body's trailing edge, where the body uncovers the background. A smear stroke may begin at that edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

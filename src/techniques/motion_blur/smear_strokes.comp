@@ -55,7 +55,8 @@ float stroke_cover(SmearStroke stroke, vec2 place)
         float off_px = abs(aside_px - middle_px);
         cover = max(cover, clamp(max(half_px, 0.5) + 0.5 - off_px, 0.0, 1.0) * min(half_px / 0.5, 1.0));
     }
-    // The stroke begins up to three half widths before the edge, inside the body, which hides this start.
+    // The stroke begins up to three half widths before the edge, inside the body, which hides the stroke's
+    // start.
     return along_px > -3.0 * stroke.half_px - 1.0 && along < 1.0 ? cover : 0.0;
 }
 
@@ -71,7 +72,7 @@ void main()
     int count = int(texelFetch(lists, first).x);
     vec2 own_way = unpackHalf2x16(texelFetch(page_image, pixel, 0).w);
     float depth = texelFetch(depth_image, pixel, 0).x;
-    // A contour line extends beyond the edge of its body. Smear strokes begin under such a line.
+    // A contour line extends beyond the edge of its body. Smear strokes begin under the contour line.
     bool is_beyond = depth < texelFetch(owner_depth_image, pixel, 0).x;
     float cover = 0.0;
     for (int i = 1; i <= count; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread decides whether one smear stroke is kept: it is dropped if a stroke of higher priority is too
-// near.
+// One thread decides whether one smear stroke is kept: the stroke is dropped if a stroke of higher priority
+// is too near.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -98,8 +98,8 @@ Image make_normal_map(const HeightMap& map, const NormalMapSettings& settings)
     for (uint32_t y = 0; y < map.height; ++y) {
         for (uint32_t x = 0; x < map.width; ++x) {
             const glm::dvec2 slope = relief_texels * heights.slope(x, y);
-            // Image rows go down, but y of the normal goes up. So a surface that rises downwards has a normal
-            // that leans upwards.
+            // Image rows go down, but y of the normal goes up. So a surface that rises towards the bottom of
+            // the image has a normal that leans upwards.
             const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope.x, green * slope.y, 1.0));
             normals.rgba.insert(normals.rgba.end(),
                                 {byte_of(normal.x), byte_of(normal.y), byte_of(normal.z), 255});

@@ -7,7 +7,7 @@
 
 #include "shaders/camera.glsl"
 
-// The pixel of the current tile that a half-page pixel (one of every second pixel) stands for.
+// Position, in the current tile, of a half-page pixel (the half page has every second pixel of the page).
 ivec2 whole_pixel(ivec2 half_pixel)
 {
     return min(2 * (half_pixel + ivec2(constants.from_half)) - ivec2(frame.tile_from_px),
@@ -35,7 +35,8 @@ DepthPlane depth_plane(ivec2 pixel, float depth, vec3 normal, float tolerance_m)
                       max(max(tolerance, depth - farther.z / farther.w), 1e-12));
 }
 
-// Whether `depth` at this offset is on the plane: 1 on it, falling to 0 at a distance of `tolerance`.
+// Tells whether the depth `depth`, at the offset `offset_px` from a pixel, is on the pixel's depth plane. The
+// result is 1 on the plane, and 0 at the plane's `tolerance` or farther from it.
 float on_plane(DepthPlane plane, vec2 offset_px, float depth)
 {
     float off = abs(depth - plane.depth - dot(plane.slope, offset_px)) / plane.tolerance;

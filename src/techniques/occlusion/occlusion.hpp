@@ -16,11 +16,12 @@
 
 namespace estampe::occlusion {
 
-/// The method of computing ambient occlusion: from depth on the page (horizon); between discs at all vertices
-/// (discs); from these discs per pixel (splats) or per texel (uv); or by depth darkening (unsharp).
+/// The method of computing ambient occlusion: from depth on the page (horizon); from a disc at each vertex,
+/// computed per vertex (discs), per pixel (splats) or per texel (uv); or by depth darkening (unsharp).
 enum class Method : uint8_t { horizon, discs, splats, uv, unsharp };
 
-/// What ambient occlusion darkens: ambient light, all light, or nothing but its own layer.
+/// What ambient occlusion darkens: ambient light, all light, or only the separate layer that holds the
+/// occlusion.
 enum class Feeds : uint8_t { ambient, tone, layer };
 
 struct OcclusionStyle {
@@ -70,7 +71,7 @@ struct AmbientOcclusion {
     std::optional<gpu::ImageId> bounced;
 };
 
-/// The occlusion radius of the style, or the default for a scene of this radius.
+/// The occlusion radius of the style, or the default for a scene with the given radius.
 [[nodiscard]] float radius_of(const OcclusionStyle& style, float scene_radius_m);
 
 /// Distance in pixels from which other surfaces affect a pixel's occlusion, also from beyond the page.
@@ -106,7 +107,7 @@ public:
     /// Allocates memory for the occlusion method of the style.
     void ensure(gpu::Device& device, const OcclusionStyle& style);
 
-    /// Discards the surfaces. Call forget_surfaces() when the scene has other surfaces.
+    /// Discards the surfaces. Call forget_surfaces() when the scene's surfaces have been replaced.
     void forget_surfaces();
 
     /// Discards the results for the posed surfaces. Call forget_pose() when surfaces have moved.
@@ -129,16 +130,16 @@ add_occlusion(gpu::Graph& graph, Memory& memory, const OcclusionInputs& in, cons
 /// Adds passes that compute ambient occlusion from the visible surfaces around each pixel, which is the
 /// default method.
 ///
-/// Cost    four dispatches, all but the last over every second pixel each way: 20 depths, twice 4 neighbours,
-///         then 4 at every pixel
+/// Cost    four dispatches. The first three run over every second pixel in x and y: one reads 20 depths per
+///         pixel, two read 4 neighbours. The last runs over every pixel and reads 4 samples.
 /// Source  Therrien, Levesque and Gilet, "Screen Space Indirect Lighting with Visibility Bitmask", 2023;
 ///         slices and their weights after Jimenez et al., "Practical Real-Time Strategies for Accurate
 ///         Indirect Occlusion", 2016
 [[nodiscard]] AmbientOcclusion add_horizon(gpu::Graph& graph, const OcclusionInputs& in,
                                            const OcclusionStyle& style);
 
-/// The half page, with every second pixel of the page each way: pixel `i` is page pixel 2 * (from_half + i),
-/// independent of tiles.
+/// The half page, which has every second pixel of the page in x and y. The half-page pixel at the index `i`
+/// is the page's pixel 2 * (from_half + i). `from_half` is the first half-page pixel of the drawn tile.
 struct HalfPage {
     glm::uvec2 from_half{0};
     glm::uvec2 half_px{1};

@@ -11,8 +11,8 @@
 #include "shaders/loops.glsl"
 #include "techniques/paper/paper.glsl.h"
 
-// With this workgroup size one warp (32 threads) writes one whole line of memory, which is fast over the bus
-// to the host.
+// With the chosen workgroup size, one warp (32 threads) writes one whole line of memory, which is fast over
+// the bus to the host.
 layout(local_size_x = 32, local_size_y = 8) in;
 
 layout(scalar, binding = 0) uniform Frame
@@ -79,8 +79,8 @@ struct Paper {
     float stray;  // deviation of a ruled line, with the mean 0
 };
 
-// Paper at a place of the page. One loop computes all noises but the finest, because CPU drivers compile this
-// loop only once.
+// Paper at a place of the page. One loop computes all noises but the finest, because CPU drivers compile the
+// loop's body only once.
 Paper paper_at(vec2 page_mm, int loop_count)
 {
     vec2 tooth_at = page_mm * 3.1;

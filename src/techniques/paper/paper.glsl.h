@@ -23,7 +23,7 @@ SHARED_CONSTANT uint compose_is_transparent = 1U << 8U; // bare paper is transpa
 SHARED_CONSTANT uint compose_keeps_things = 1U << 9U;   // paper under objects stays opaque
 SHARED_CONSTANT uint compose_has_cover = 1U << 10U;     // the coverage by objects comes from its own image
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U;    // the picture has several samples
-SHARED_CONSTANT uint develop_is_last = 1U << 1U;        // this is the last sample
+SHARED_CONSTANT uint develop_is_last = 1U << 1U;        // set in the pass of the picture's last sample
 SHARED_CONSTANT uint develop_keeps_floats = 1U << 2U;
 SHARED_CONSTANT uint develop_is_transparent = 1U << 3U;
 

@@ -47,7 +47,7 @@ struct Window {
     bool operator==(const Window&) const = default;
 };
 
-/// The rectangle inside the margin, for a page with this width and the style's height.
+/// The rectangle inside the margin, for a page with the given width and the style's height.
 [[nodiscard]] Window window_of(const PaperStyle& style, float width_mm);
 
 struct ComposeInputs {

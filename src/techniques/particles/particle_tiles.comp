@@ -35,8 +35,8 @@ void main()
 {
     uvec2 tile = gl_GlobalInvocationID.xy;
     uvec2 from_px = 8u * tile;
-    // This tile of 8 x 8 pixels is smaller than the tiles with sprite lists. So each larger tile that
-    // overlaps this tile contains one of its corners.
+    // The thread's tile of 8 x 8 pixels is smaller than the tiles with sprite lists. So each larger tile that
+    // overlaps the small tile contains a corner of the small tile.
     bool is_inhabited = has_sprites(from_px) || has_sprites(from_px + uvec2(7u, 0u)) ||
                         has_sprites(from_px + uvec2(0u, 7u)) || has_sprites(from_px + 7u);
     if (all(lessThan(from_px, frame.size_px)) && is_inhabited) {

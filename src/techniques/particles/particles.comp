@@ -111,7 +111,7 @@ vec2 turned(Sprite sprite, vec2 away)
     return vec2(dot(away, sprite.turn) / sprite.stretch, dot(away, vec2(-sprite.turn.y, sprite.turn.x)));
 }
 
-// Whether the sprite covers this place or a pixel next to it.
+// Whether the sprite covers the place or a pixel next to the place.
 bool is_near(SpriteOver over)
 {
     vec2 uv = abs(turned(over.sprite, over.away));

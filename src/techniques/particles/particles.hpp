@@ -40,8 +40,8 @@ struct Particle {
 /// for Procedural Fluid Flow", SIGGRAPH 2007.
 [[nodiscard]] glm::dvec3 swirl(const glm::dvec3& place, uint32_t seed);
 
-/// All particles alive at `time_s`. Each particle depends only on its number, its age and its emitter's state
-/// at its birth, so the result does not depend on earlier calls. Cost: 10 us per particle.
+/// All particles alive at `time_s`. A particle depends only on its number, its age and the emitter's state at
+/// its birth. So the result does not depend on earlier calls. Cost: 10 us per particle.
 [[nodiscard]] std::vector<Particle> particles_at(const ParticleStyle& style,
                                                  std::span<const Emitter> emitters, double time_s);
 
@@ -66,7 +66,7 @@ struct ParticlePlan {
 };
 
 /// Projects particles to sprites on the page, without those behind the eye. The constants have no haze; the
-/// caller may add it. Cost: linear in sprites and the tiles they touch.
+/// caller may add it. Cost: linear in the number of sprites and of the tiles that the sprites touch.
 [[nodiscard]] ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle> particles,
                                           const ParticleView& view);
 

@@ -39,16 +39,17 @@ struct DrawSource {
                          ///< motion
 };
 
-/// A mesh whose vertices another part of the program poses, such as terrain. Such a mesh casts no shadow into
-/// shadow maps and has no bounds.
+/// A mesh whose vertices another part of the program poses, such as terrain. A foreign mesh casts no shadow
+/// into shadow maps and has no bounds.
 struct ForeignMesh {
-    Index node = 0; ///< node of the foreign mesh, which has one primitive without vertices
+    Index node = 0; ///< node of the foreign mesh; the node's only primitive has no vertices
     Index material = 0;
-    Index instead_of = no_index; ///< node whose own mesh the foreign mesh replaces; no_index: none
-    /// Approximate first positions of the foreign mesh's vertices, in world space.
+    Index instead_of = no_index; ///< node whose mesh is replaced by the foreign mesh; no_index: none
+    /// Approximate first positions of the vertices of the foreign mesh (not in the scene's file), in world
+    /// space.
     std::vector<glm::dvec3> places;
     std::vector<glm::uvec3> triangles;
-    Bounds near; ///< bounds of the view, for a scene without other meshes
+    Bounds near; ///< bounds of the view, for a scene whose only mesh is the foreign mesh
 };
 
 /// Flag in MeshData::edge_marks: the triangle's primitive has edges that an author marked.
@@ -67,7 +68,7 @@ struct MeshData {
     /// has marks; empty if no primitive has marks.
     std::vector<uint8_t> edge_marks;
     std::vector<uint32_t> draw_of_vertex; ///< number of the draw call, per posed vertex
-    /// Records of draw calls, without matrices; their mirrored flags equal those of the triangles.
+    /// Records of draw calls, without matrices; the mirrored flags of records and triangles are equal.
     std::vector<shared::DrawRecord> draws;
     std::vector<DrawSource> sources; ///< source of each draw call; the ground has none and comes last
     Range opaque, masked, blended, ground;
@@ -76,10 +77,13 @@ struct MeshData {
     std::vector<CasterRun> casters; ///< parts of `opaque` and `masked` that cast shadows
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;
-    std::optional<uint32_t> foreign_vertex; ///< first vertex of the foreign mesh; empty if there is none
-    glm::dvec3 anchor{0.0}; ///< origin of anchor space in the world; a multiple of 64 m with a foreign mesh
-    /// `anchor` at the time when stroke coordinates were computed; with a foreign mesh `anchor` may follow
-    /// the eye.
+    /// First vertex of the foreign mesh (not in the scene's file), if any.
+    std::optional<uint32_t> foreign_vertex;
+    /// Origin, in world space, of anchor space (coordinates relative to a nearby origin). The origin is a
+    /// multiple of 64 m if there is a foreign mesh (not in the scene's file).
+    glm::dvec3 anchor{0.0};
+    /// Value of `anchor` when stroke coordinates were computed. If there is a foreign mesh (not in the
+    /// scene's file), `anchor` may follow the eye later.
     glm::dvec3 rest_anchor{0.0};
     double stroke_unit_m = 1.0;
     Bounds bounds; ///< bounds of the rest pose in world space
@@ -99,14 +103,16 @@ struct MeshData {
 /// Whether every draw call has the default light links (all lights light all objects).
 [[nodiscard]] bool has_plain_links(const MeshData& meshes);
 
-/// The anchor for a scene with these bounds and a foreign mesh.
+/// The anchor (origin of all positions on the GPU) for a scene with the given bounds and a foreign mesh (not
+/// in the scene's file).
 [[nodiscard]] glm::dvec3 anchor_beside_foreign(const Bounds& bounds);
 
-/// Builds the mesh data of `scene`. Strokes follow UVs if `uvs_are_usable` accepts the primitive's, otherwise
-/// the position in the rest pose, so that they stick to skinned and morphing bodies. Adds a ground of
-/// material `ground_material` under the scene as its own range. A `foreign` mesh becomes the last opaque
-/// mesh. Throws Error if the scene is too large for `check_drawn_size`, or if scene/scene_limits.hpp rejects
-/// its extent or a position. Cost: linear in vertices drawn.
+/// Builds the mesh data of `scene`. Strokes follow UVs if `uvs_are_usable` accepts the primitive's UVs.
+/// Otherwise strokes follow the position in the rest pose, so that strokes stick to skinned and morphing
+/// bodies. Adds a ground of material `ground_material` under the scene as its own range. The mesh `foreign`
+/// (not in the scene's file) becomes the last opaque mesh. Throws Error if the scene is too large for
+/// `check_drawn_size`, or if scene/scene_limits.hpp rejects its extent or a position. Cost: linear in
+/// vertices drawn.
 [[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material,
                                     const ForeignMesh* foreign = nullptr);
 
@@ -116,8 +122,9 @@ struct MeshData {
 [[nodiscard]] Primitive drawn_body(const Primitive& primitive, float radius_m);
 
 /// Upper bound on the number of a primitive's layers behind each other from any viewpoint, counted up to
-/// `enough`. A flat part has one layer, and so has a convex one-sided part; all other or deforming parts
-/// count as `enough`. Cost: n log n in triangles; quadratic in those of a convex part, up to 50 ms.
+/// `enough`. A flat part or a convex one-sided part has one layer. A part of any other form, or one that
+/// deforms, counts as `enough`. Cost: n log n in triangles; quadratic in the triangles of a convex part, up
+/// to 50 ms.
 [[nodiscard]] uint32_t most_sheets(const Primitive& primitive, bool two_sided, uint32_t enough);
 
 /// Whether a primitive's first UV set can carry strokes: present, finite, nearly undistorted, and not cut
@@ -127,7 +134,8 @@ struct MeshData {
 /// The data of a pose, which changes from frame to frame, ready for upload.
 struct PoseData {
     std::vector<shared::DrawRecord> draws;
-    std::vector<glm::mat4> joints; ///< matrices of joints, from bind pose to anchor space
+    /// Matrices of joints, from bind pose to anchor space (relative to a nearby origin).
+    std::vector<glm::mat4> joints;
     std::vector<float> morph_weights;
     /// World bounds of shadow casters, without a floor at the lowest level and without transparent objects.
     Bounds casters;
@@ -139,9 +147,9 @@ struct PoseData {
 /// An infinite box, for objects that may be anywhere.
 [[nodiscard]] Bounds everywhere();
 
-/// Boxes in anchor space around draw calls that differ between the poses `before` and `now`, covering both
-/// positions. A skinned body's box covers the reach of all its joints; the box is infinite if morph weights
-/// changed. Cost: linear in draw calls and joints.
+/// Boxes in anchor space (relative to a nearby origin) around draw calls that differ between the poses
+/// `before` and `now`, covering both positions. A skinned body's box covers the reach of all its joints; the
+/// box is infinite if morph weights changed. Cost: linear in draw calls and joints.
 [[nodiscard]] std::vector<Bounds> moved_places(const MeshData& meshes, const PoseData& before,
                                                const PoseData& now);
 

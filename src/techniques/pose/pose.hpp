@@ -23,8 +23,9 @@ struct VertexRun {
 using VertexRuns = InlineVector<VertexRun, shared::most_pose_runs>;
 
 /// The vertices whose pose differs between `before` and `now` (all vertices if `before` is null), and the
-/// vertices of the draw calls `written_over`, which must be in ascending order. If there are too many runs,
-/// some are merged, together with the vertices between them. Cost: linear in draw calls, joints and weights.
+/// vertices of the draw calls `written_over`. The numbers in `written_over` must be in ascending order. If
+/// there are too many runs (ranges of consecutive vertices), some runs are merged, together with the vertices
+/// between them. Cost: linear in draw calls, joints and weights.
 [[nodiscard]] VertexRuns runs_to_pose(const MeshData& meshes, const PoseData* before, const PoseData& now,
                                       std::span<const uint32_t> written_over);
 
@@ -50,7 +51,8 @@ struct MeshBuffers {
     uint32_t vertex_count = 0;
 };
 
-/// Uploads the meshes of `data`. Throws Error when they do not fit the device. Cost: one copy of everything.
+/// Uploads the meshes of `data`. Throws Error when the meshes do not fit the device. Cost: one copy of
+/// everything.
 [[nodiscard]] MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data);
 
 /// Uploads the pose: draw records, joints, weights, and the triangles if mirrored flags change. `meshes` must
@@ -60,13 +62,14 @@ bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const
 /// Swaps the buffers of posed vertices of this frame and the last frame.
 void swap_posed(MeshBuffers& meshes);
 
-/// Adds a pass that poses vertices of `meshes`, which must be made from `data`: morph targets, then the skin,
-/// or the object's transform without a skin. Only vertices are posed whose buffer differs from `now`, which
-/// must be uploaded, and those of the draw calls `written_over`, in ascending order, which other passes
-/// overwrite. `draws` and `rest_vertices` are their handles in this graph. Call keep_posed() after the graph
-/// has run.
+/// Adds a pass that poses vertices of `meshes`, which must be made from `data`. The pass applies morph
+/// targets, then the skin, or the object's transform if there is no skin. The pass poses only vertices whose
+/// buffer differs from the pose `now`, and the vertices of the draw calls `written_over`. The pose `now` must
+/// be uploaded. `written_over` lists, in ascending order, the draw calls whose vertices other passes
+/// overwrite. `draws` and `rest_vertices` are the handles, in `graph`, of the draw records and rest vertices
+/// of `meshes`. Call keep_posed() after the graph has run.
 ///
-/// Writes  posed vertices, relative to the anchor
+/// Writes  posed vertices, relative to the anchor (a nearby origin)
 /// Cost    one dispatch over the runs of runs_to_pose(), one thread per vertex
 /// Source  linear blend skinning as in glTF 2.0, section 3.7.3
 [[nodiscard]] gpu::BufferId add_pose_of_moved(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,

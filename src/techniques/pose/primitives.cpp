@@ -173,8 +173,8 @@ std::vector<std::vector<uint32_t>> parts_of(const Primitive& primitive)
 
 enum class Form : uint8_t { flat, convex, other };
 
-/// Form of a connected part of a mesh. The part is flat if all corners lie in the plane of every triangle,
-/// and convex if all corners lie on one side of every triangle's plane.
+/// Form of a connected part of a mesh. The part is flat if all corners lie in the plane of every triangle.
+/// The part is convex if all corners lie on one side of every triangle's plane.
 Form form_of(const std::vector<glm::vec3>& positions, const std::vector<uint32_t>& part)
 {
     const std::set<uint32_t> corners(part.begin(), part.end());
@@ -234,11 +234,12 @@ uint32_t most_sheets(const Primitive& primitive, bool two_sided, uint32_t enough
 
 namespace {
 
-/// An edge of a triangle, stored under the lower position number of its two ends.
+/// An edge of a triangle, stored under the lower position number (equal for all vertices at one position) of
+/// its two ends.
 struct Side {
-    uint32_t higher = 0;    ///< position number of the edge's other end, which is the higher
+    uint32_t higher = 0;    ///< the higher position number (a number per position) of the edge's two ends
     uint32_t corner = 0;    ///< the edge's first corner, an index into Primitive::indices
-    bool goes_up = true;    ///< the edge runs from the lower to the higher position number
+    bool goes_up = true;    ///< the edge runs from the end with the lower position number to the other end
     bool is_paired = false; ///< the neighbouring triangle's edge has been found
 };
 
@@ -288,7 +289,8 @@ public:
 private:
     [[nodiscard]] uint32_t place(uint32_t corner) const { return places_[primitive_.indices[corner]]; }
 
-    /// Sorts edges by the lower position number. Edges with equal numbers stay in the triangles' order.
+    /// Sorts edges by the lower position number (equal for all vertices at one position) of their two ends.
+    /// Edges with equal numbers stay in the triangles' order.
     void file_sides()
     {
         const auto count = static_cast<uint32_t>(primitive_.indices.size() / 3 * 3);
@@ -335,8 +337,9 @@ private:
     }
 
     const Primitive& primitive_;
-    std::vector<uint32_t> places_; ///< position number of each vertex
-    std::vector<uint32_t> first_;  ///< for each position number, the index of its first edge in sides_
+    /// Position number of each vertex (equal for all vertices at one position).
+    std::vector<uint32_t> places_;
+    std::vector<uint32_t> first_; ///< for each position number, the index in sides_ of the first edge
     std::vector<Side> sides_;
     EdgeLengths lengths_;
 };

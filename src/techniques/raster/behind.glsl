@@ -7,9 +7,9 @@
 layout(binding = BEHIND_BINDING) uniform usamplerBuffer peeled;
 
 // Depth peeling test for pictures of every second pixel: whether a triangle lies behind the previous layer's
-// surface. Depths of such pictures are not bit-identical to those of the full picture, so that surface could
-// appear again beside an edge. For triangles that face the eye, the test needs a tolerance from the surface's
-// slope.
+// surface. Depths in pictures of every second pixel are not bit-identical to depths in the full picture. So
+// the previous layer's surface could appear again beside an edge. For triangles that face the eye, the test
+// needs a tolerance from the surface's slope.
 bool lies_clearly_behind(uint index, float depth, float change, uint triangle, bool faces_eye)
 {
     uvec2 word = texelFetch(peeled, int(index)).xy;

@@ -223,8 +223,8 @@ gpu::Pass begin_draw(gpu::Graph& graph, const gpu::Name& name, bool masked, bool
                         masked ? shaders::draw_masked_frag : shaders::draw_ids_frag);
 }
 
-/// Projection of the picture that is drawn. In depth peeling at half resolution, the centre of pixel i is
-/// that of pixel 2 i + second_from of the full picture.
+/// Projection of the picture that is drawn. In depth peeling at half resolution, the pixel at the index i has
+/// the centre of the full picture's pixel 2 i + second_from.
 glm::mat4 drawn_clip(const View& view)
 {
     if (!view.second_from) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The compute raster path, the hardware raster path, their common functions, and the choice between them. To
-// draw, include raster.hpp instead.
+// The compute raster path, the hardware raster path, their common functions, and the choice between them.
+// Code that draws must include raster.hpp.
 
 #include <optional>
 
@@ -16,7 +16,7 @@ namespace estampe::raster {
 /// Most pairs of large triangle and tile in the list of one batch.
 inline constexpr uint64_t most_tiles = 1ULL << 18U;
 /// Most tiles that one workgroup draws. llvmpipe silently ends a thread's loops after 65535 rounds in all; a
-/// tile takes 65 rounds.
+/// tile takes 65 rounds of the loop.
 inline constexpr uint32_t most_tiles_a_group = 1000;
 
 /// Adds a pass that fills `buffer` with zeros. The buffer's size must be a multiple of 16 bytes.
@@ -37,9 +37,10 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in);
                                                    const View& view, const std::vector<DepthPart>& parts,
                                                    uint32_t row_texels, gpu::BufferId map);
 
-/// The raster path that can be chosen without measuring: `wanted` unless it is automatic; hardware where
-/// compute is impossible, and on CPU devices, where hardware starts faster and the answer must not change.
-/// Empty on other GPUs. Throws Error if the device does not support `wanted`.
+/// The raster path that can be chosen without measuring: the path `wanted`, unless `wanted` is automatic.
+/// With automatic, the path is hardware where compute is impossible. The path is also hardware on CPU
+/// devices, where hardware starts faster and the answer must not change. Empty on GPUs that could use either
+/// path. Throws Error if the device does not support `wanted`.
 [[nodiscard]] std::optional<RasterPath> settled_path(const DeviceInfo& device, RasterPath wanted);
 
 /// Chooses the raster path to draw with, never automatic: settled_path(), or else measure_paths().
@@ -52,10 +53,10 @@ struct PageWork {
 };
 
 /// Chooses the raster paths of a picture for the requested path `wanted` and choose_path()'s result `chosen`.
-/// Both paths are `chosen`, with one exception. On a CPU device with `automatic`, a page with at least one
-/// triangle per eight pixels is drawn by compute: all cores draw small triangles, while the driver sets
-/// triangles up on one core. With masks the path is always hardware, because compiling the many masked
-/// shaders would delay the first picture.
+/// Both paths of the picture are `chosen`, with one exception. On a CPU device with `automatic`, a page with
+/// at least one triangle per eight pixels is drawn by compute. There, compute draws small triangles on all
+/// cores, but the driver sets up triangles on one core. With masks the path is always hardware, because
+/// compiling the many masked shaders would delay the first picture.
 [[nodiscard]] Paths paths_of(const DeviceInfo& device, RasterPath wanted, RasterPath chosen,
                              const PageWork& work);
 

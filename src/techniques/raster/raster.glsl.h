@@ -17,8 +17,8 @@ SHARED_CONSTANT uint draw_has_no_masks = 1U << 6U; // disables masks in shaders 
 SHARED_CONSTANT uint draw_lists_tiles = 1U << 7U;
 SHARED_CONSTANT uint bounds_by_thread = 1U; // one thread finds the bounding box of a whole cluster
 SHARED_CONSTANT uint cull_drops_backs = 1U; // culls back faces from the list of triangles to draw
-// Depth peeling at half resolution draws only every second pixel in x and y. The two bits above this bit give
-// the first pixel.
+// Depth peeling at half resolution draws only every second pixel in x and y. The two bits above draws_second
+// give the first pixel.
 SHARED_CONSTANT uint draws_second = 1U;
 
 // Selects the triangles to draw and the picture to draw into.
@@ -30,7 +30,7 @@ struct RasterConstants {
     uint large_capacity;
     uint tile_capacity;
     uint cull_back_faces;
-    uint small_area_px; // one thread draws a whole triangle if its bounding box has at most this many pixels
+    uint small_area_px; // most pixels in the bounding box of a triangle that one thread draws
     uint second;        // pixels to draw in depth peeling at half resolution, see draws_second
 };
 
@@ -38,7 +38,7 @@ struct RasterConstants {
 struct RasterView {
     mat4 clip_from_anchor;
     vec3 eye_anchor;
-    float reach_m;    // objects farther from the view's eye than this are skipped
+    float reach_m;    // largest distance from the view's eye of objects that are drawn
     uint first_texel; // first texel in the buffer of all maps; the map's rows are contiguous
     uint size_px;
     uvec2 origin_px; // position of the view's square in the image of the hardware path
@@ -46,7 +46,8 @@ struct RasterView {
     uvec2 turn_px;   // compute path only: position of the map's first texel; the map wraps around at its ends
 };
 
-// Bounding box, in anchor space, of a cluster of 64 consecutive triangles of the list.
+// Bounding box, in anchor space (relative to a nearby origin), of a cluster of 64 consecutive triangles of
+// the list.
 struct ClusterBounds {
     vec3 low;
     vec3 high;

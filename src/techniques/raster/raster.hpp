@@ -61,8 +61,8 @@ struct Tuning {
                                     ///< workgroups do, one triangle after another
     /// The hardware path culls batches with at least this many triangles before it draws them.
     uint32_t culled_from = 8192;
-    /// The compute path culls batches with at least this many triangles by clusters before it draws them, if
-    /// the clusters' boxes are known. On a GPU, culling smaller batches costs as much as it saves.
+    /// Least number of triangles in a batch that the compute path culls by clusters, if the clusters' boxes
+    /// are known. On a GPU, culling smaller batches costs as much as it saves.
     uint32_t clusters_from = 2'000'000;
     /// If true, one thread finds the bounding box of a whole cluster. If false, a workgroup finds the box,
     /// with one thread per triangle. Barriers in workgroups are slow on CPU devices.
@@ -81,8 +81,8 @@ struct View {
     /// Depth peeling: the visibility buffer of the previous layer, of equal size. Only surfaces behind that
     /// layer are drawn; at equal depths, only triangles with a lower number.
     std::optional<gpu::BufferId> behind = std::nullopt;
-    /// Draws only every second pixel in x and y, starting with this one, 0 or 1. Requires `behind`, which has
-    /// twice the size of the picture.
+    /// Draws only every second pixel in x and y, from the pixel `second_from` on, which is 0 or 1 in x and in
+    /// y. Requires `behind` (the previous layer's picture), which has twice the size of the drawn picture.
     std::optional<glm::uvec2> second_from = std::nullopt;
 
     std::optional<gpu::BufferId> cluster_bounds =

@@ -9,8 +9,8 @@
 namespace estampe::shadow {
 namespace {
 
-// A light keeps its map size until the wanted size differs by this many doublings. The value 0.5 would be
-// plain rounding, which flickers.
+// Number of doublings by which the wanted size must differ before a light's map size changes. The value 0.5
+// would be plain rounding, which flickers.
 constexpr float patience = 0.8F;
 // Factor on the importance of lights that already have a map, so that equally important lights do not get and
 // lose maps in turn.
@@ -54,7 +54,7 @@ void Atlas::choose_sizes(std::span<const AtlasRequest> requests, const AtlasBudg
         order_.erase(order_.begin());
     }
     // Halves the largest maps, the least important first, until all maps fit. Maps of the smallest size are
-    // dropped instead, the least important first.
+    // dropped, not halved, the least important first.
     while (total > budget.texels && !order_.empty()) {
         const size_t largest =
             *std::ranges::max_element(order_, [&](size_t a, size_t b) { return sizes_[a] < sizes_[b]; });
@@ -139,8 +139,8 @@ struct Axes {
     glm::vec3 right, down, along;
 };
 
-/// Axes of a face of a cube shadow map, as in local_shadow.glsl. Left-handed axes work too, because triangles
-/// are drawn from both sides.
+/// Axes of a face of a cube shadow map, as in local_shadow.glsl. Left-handed axes also work, because
+/// triangles are drawn from both sides.
 Axes face_axes(uint32_t face)
 {
     const auto axis = static_cast<int>(face / 2);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shadow maps of local lights (lamps and spots): how many texels each light gets in the shared buffer, where
-// these texels are, and the views of the maps. A spot has one view along its beam, an omnidirectional light
-// has six views along the axes.
+// Shadow maps of local lights (lamps and spots) in one shared buffer: number and place of each light's
+// texels, and the views of the maps. A spot has one view along its beam, an omnidirectional light has six
+// views along the axes.
 
 #include <array>
 #include <cstdint>
@@ -79,7 +79,8 @@ private:
     std::vector<Allotment> allotted_;
 };
 
-/// All properties of a local light that its shadow maps depend on, in anchor space.
+/// All properties of a local light that its shadow maps depend on, in anchor space (relative to a nearby
+/// origin).
 struct LocalLight {
     glm::vec3 position{0.0F};
     /// Radius of the light; objects farther away are neither lit nor drawn into the maps.
@@ -88,9 +89,9 @@ struct LocalLight {
     /// Unit vector perpendicular to a spot's beam, along two sides of the map's pyramid.
     glm::vec3 side{1.0F, 0.0F, 0};
     float half_angle_rad = 0.0F; ///< half angle of a spot's cone or pyramid; 0 for an omnidirectional light
-    uint32_t casters = ~0U;      ///< bits of the object groups that cast shadows in this light
+    uint32_t casters = ~0U;      ///< bits of the object groups that cast shadows in the light
 
-    /// Whether the light needs six maps: it is omnidirectional, or a spot too wide for one map.
+    /// Whether the light needs six maps: the light is omnidirectional, or a spot too wide for one map.
     [[nodiscard]] bool is_cube() const;
 
     [[nodiscard]] uint32_t map_count() const { return is_cube() ? 6 : 1; }

@@ -13,7 +13,8 @@ SHARED_CONSTANT uint sun_levels = 8U;
 
 // Data for lookups in the sun's shadow map.
 struct SunShadow {
-    // Transform from anchor space to the map's clip space; reversed z: 1 is nearest to the sun.
+    // Transform from anchor space (relative to a nearby origin) to the map's clip space; reversed z: 1 is
+    // nearest to the sun.
     mat4 clip_from_anchor;
     vec3 right;    // direction of the map's x axis, perpendicular to the sun
     float texel_m; // longer side of a texel in metres; in a clipmap, of the finest level
@@ -26,7 +27,7 @@ struct SunShadow {
     float pixel_m; // size of a pixel at distance 1 from the eye, or at any distance in parallel projection
     float fade;    // 1: the shadow fades towards the edge of the last clipmap level
     vec2 window_low[sun_levels];
-    vec2 warp; // for a perspective map: clip y is warp.x - warp.y / w
+    vec2 warp; // for a perspective map: clip y is warp.x - warp.y / w, w the homogeneous coordinate
 };
 
 // A square of texels of a clipmap level; the side of the square and of the level are powers of two. The first
@@ -46,9 +47,9 @@ struct SunVerticesConstants {
     vec4 depth_row; // the row of the sun's clip matrix that gives z
 };
 
-// Shadow maps of one local light: one map along a spot's beam, or six along the axes of anchor space, in the
-// order +x -x +y -y +z -z, one after another. Texels hold near_m / w, where w is the distance along the map's
-// axis.
+// Shadow maps of one local light: one map along a spot's beam, or six along the axes of anchor space
+// (relative to a nearby origin). The six maps are stored one after another, in the order +x -x +y -y +z -z. A
+// texel holds the near distance `near_m` divided by the surface's distance along the map's axis.
 struct LocalShadow {
     vec3 right;       // in a spot's map, the direction in which the column number grows
     float scale;      // half the map's side at distance 1 from the light is 1 / scale
@@ -65,14 +66,14 @@ struct LocalShadow {
 // Shape and direction of the teeth (small strokes) along shadow edges.
 struct EdgeProfile {
     float amplitude_px; // length of a tooth to either side of the shadow edge, in pixels of the page
-    float width_px;     // width of the lines that carry the teeth; the spacing of teeth follows from it
+    float width_px;     // width of the lines that carry the teeth (small strokes); sets the spacing of teeth
     float darkness;
-    float variety; // variation of the teeth's lengths: 0 all equal, 1 some hardly visible
-    vec3 axis_0;   // for wave-shaped teeth: axis across the first set of teeth
+    float variety; // variation of the lengths of teeth (small strokes): 0 all equal, 1 some hardly visible
+    vec3 axis_0;   // axis across the first set of wave-shaped teeth (strokes at a shadow's edge)
     uint seed;
-    vec3 axis_1;    // for wave-shaped teeth: axis across the second set of teeth
-    vec3 axis_2;    // for wave-shaped teeth of lamps' shadows: axis across the third set of teeth
-    vec2 flat_axis; // for teeth that are stroke ends: axis across the strokes of the hatching's first layer
+    vec3 axis_1;    // axis across the second set of wave-shaped teeth (strokes at a shadow's edge)
+    vec3 axis_2;    // axis across the third set of wave-shaped teeth, only at edges of lamps' shadows
+    vec2 flat_axis; // axis across the strokes of the hatching's first layer, whose ends are the teeth
     vec2 wind;
     vec2 ground_wind;
     vec3 towards_light;

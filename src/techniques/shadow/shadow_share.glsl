@@ -6,11 +6,11 @@
 // names that the lookups need, `EdgeProfile edge_profile`, `coordinate_image` and `footprint_image`, and the
 // constants has_edges, has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps.
 //
-// Shadow edges have teeth, as illustrators draw them. The lookup point is moved along the surface, back and
-// forth across a coordinate v that is fixed to the world. So the edge breaks up into strokes that stay in
-// place when the eye moves. After Zanuttini, "Recherches en rendu non realiste temps reel", 2008, who moves
-// the point along the world's axes. Amplitude and density are measured on the page. Where v follows the
-// hatching lines, each tooth is the end of a stroke.
+// Shadow edges have teeth (small strokes), as illustrators draw them. The lookup point is moved along the
+// surface, back and forth across a coordinate v that is fixed to the world. So the shadow's edge breaks up
+// into strokes that stay in place when the eye moves. After Zanuttini, "Recherches en rendu non realiste
+// temps reel", 2008, who moves the point along the world's axes. Length and density of the teeth are measured
+// on the page. Where the coordinate v follows the hatching lines, each tooth is the end of a stroke.
 
 #include "shaders/camera.glsl"
 #include "shaders/stroke_field.glsl"
@@ -27,17 +27,19 @@ struct PageRates {
 
 // A set of parallel teeth (small strokes) of a shadow edge, at a pixel.
 struct Teeth {
-    LineField field; // the coordinate v across the teeth, and its change per pixel
-    vec3 step_m;     // distance along the teeth that is one pixel on the page
+    LineField field; // the coordinate across the teeth (small strokes), and its change per pixel
+    vec3 step_m;     // vector along the teeth (small strokes) that is one pixel long on the page
     uint seed;
 };
 
-// Two points near the surface point. The light is looked up at these two points in place of the surface
+// Two points near the surface point. The light is looked up at the two nearby points, not at the surface
 // point.
 struct EdgePoints {
     vec3 first;
     vec3 second;
-    float lean; // how to combine the light at both points: 0 mean, positive the darker, negative the lighter
+    // How to combine the light at the two lookup points: 0 takes the mean, a positive value the darker light,
+    // a negative value the lighter light.
+    float lean;
 };
 
 // Intersection of the view ray at `at_px` with the plane through `point`, limited at grazing angles. `depth`
@@ -72,13 +74,13 @@ Teeth teeth_across(float v, vec2 v_rate, PageRates rates, bool wraps, uint seed)
     return teeth;
 }
 
-// Shadow edge teeth along parallel planes that cut the world into slices.
+// Shadow edge teeth (small strokes) along parallel planes that cut the world into slices.
 Teeth wave_teeth(vec3 axis, vec3 point, PageRates rates, uint seed)
 {
     return teeth_across(dot(axis, point), vec2(dot(axis, rates.dx), dot(axis, rates.dy)), rates, false, seed);
 }
 
-// Shadow edge teeth that are the ends of the strokes of the hatching's first layer.
+// Shadow edge teeth (small strokes) that are the ends of the strokes of the hatching's first layer.
 Teeth stroke_teeth(EdgeProfile profile, uint kind, vec3 coordinate, Footprint f, vec3 normal, PageRates rates)
 {
     StrokeAxes axes = StrokeAxes(profile.flat_axis, profile.flat_axis, profile.flat_axis, profile.wind,
@@ -90,15 +92,15 @@ Teeth stroke_teeth(EdgeProfile profile, uint kind, vec3 coordinate, Footprint f,
                         kind == strokes_form, hash(profile.seed * 64u + family));
 }
 
-// Displacement of a shadow edge by its teeth. Teeth get wider with the penumbra.
+// Displacement of a shadow edge by its teeth (small strokes). Teeth get wider with the penumbra.
 float edge_tooth(Teeth teeth, EdgeProfile profile, float penumbra_px)
 {
     return tooth(teeth.field, teeth.seed, profile.width_px + penumbra_px / 8.0, profile.darkness,
                  profile.variety);
 }
 
-// Lookup points for teeth that are stroke ends. On the lit side, strokes extend past the shadow edge; on the
-// dark side, they leave gaps of light.
+// Lookup points for shadow edge teeth that are the ends of hatching strokes. On the lit side, strokes extend
+// past the shadow edge; on the dark side, they leave gaps of light.
 EdgePoints stroke_edge(Teeth teeth, EdgeProfile profile, vec3 point, float penumbra_px)
 {
     float lean = edge_tooth(teeth, profile, penumbra_px);
@@ -106,7 +108,8 @@ EdgePoints stroke_edge(Teeth teeth, EdgeProfile profile, vec3 point, float penum
     return EdgePoints(point + shift, point - shift, lean);
 }
 
-// Lookup points for wave teeth: one sample along each of two axes, whose mean is used.
+// Lookup points for wave-shaped teeth (small strokes) of a shadow edge: one point along each of two axes. The
+// mean of the light at the two points is used.
 EdgePoints wave_edge(Teeth first, Teeth second, EdgeProfile profile, vec3 point, float penumbra_px)
 {
     float reach_px = profile.amplitude_px + 0.5f * penumbra_px;
@@ -117,8 +120,8 @@ EdgePoints wave_edge(Teeth first, Teeth second, EdgeProfile profile, vec3 point,
 // Data of a pixel that the shadow edges of all lights share.
 struct Edge {
     Teeth first;
-    Teeth second;   // second set of teeth, only for wave-shaped teeth
-    Teeth third;    // third set of teeth, only for wave-shaped teeth of lamps' shadows
+    Teeth second;   // second set of teeth (small strokes); only for wave-shaped teeth
+    Teeth third;    // third set of teeth (small strokes); only for wave-shaped teeth of lamps' shadows
     float m_per_px; // metres per pixel on a surface that faces the eye
 };
 
@@ -129,7 +132,7 @@ EdgePoints edge_points(Edge edge, EdgeProfile profile, bool is_waves, vec3 point
                     : stroke_edge(edge.first, profile, point, penumbra_px);
 }
 
-// A third lookup point with wave teeth, for omnidirectional lights.
+// The third lookup point for wave-shaped teeth (small strokes) of a shadow edge, for omnidirectional lights.
 vec3 third_wave_point(Edge edge, EdgeProfile profile, vec3 point, float penumbra_m)
 {
     float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
@@ -137,8 +140,8 @@ vec3 third_wave_point(Edge edge, EdgeProfile profile, vec3 point, float penumbra
     return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, profile, penumbra_px));
 }
 
-// Raises a lookup point that was moved into shadow towards the light. Without the raise, the plane in which
-// it moves could cut into a curved or folded surface, which would then shadow itself.
+// Raises, towards the light, a lookup point that was moved into shadow. Without the raise, the moved point
+// could lie inside a curved or folded surface, which would then shadow itself.
 vec3 raised(vec3 moved, EdgePoints points, vec3 point, vec3 towards_light)
 {
     return points.lean < 0.0f ? moved : moved + towards_light * (0.7f * distance(moved, point));
@@ -215,7 +218,8 @@ float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 norm
     float second = local_lookup(shadow, light_position, raised_second, normal, penumbra, 0.5);
     float share = edge_blend(points, first, second);
     if (has_wave_edges) {
-        // A lamp's shadows run in all directions, so a lamp has a third axis of teeth.
+        // A lamp's shadows run in all directions, so the shadow edges of a lamp have teeth (small strokes)
+        // across a third axis.
         vec3 point_3 = third_wave_point(edge, edge_profile, point, penumbra.mean_m);
         float third = local_lookup(shadow, light_position, point_3, normal, penumbra, 0.5);
         share = shadow.is_cube != 0u ? mix(share, third, 1.0 / 3.0) : share;

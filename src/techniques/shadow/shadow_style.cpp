@@ -80,7 +80,7 @@ const style::Table<ShadowStyle>& shadow_table()
 
 namespace {
 
-/// Normal of a slanted plane with this bearing. Slices along such planes cut both floors and walls.
+/// Normal of a slanted plane with the given bearing. Slices along slanted planes cut both floors and walls.
 glm::vec3 slanted(float bearing_deg)
 {
     const float bearing = glm::radians(bearing_deg);

@@ -40,7 +40,7 @@ struct ShadowStyle {
 
 [[nodiscard]] const style::Table<ShadowStyle>& shadow_table();
 
-/// Properties of the hatching's first layer, if lines are hatched. Shadow edges follow this layer.
+/// Properties of the hatching's first layer, if lines are hatched. Shadow edges follow the first layer.
 struct HatchedLines {
     float width_mm = 0.3F;
     float darkness = 0.5F; ///< darkness of the hatching lines themselves in full shadow
@@ -49,11 +49,11 @@ struct HatchedLines {
     glm::vec2 wind{0.0F, 1.0F};      ///< horizontal direction of the wind (x, z)
     glm::vec2 ground_wind{1.0F, 0.0F};
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
-    /// Some strokes follow height, wind, light or slope, instead of UV coordinates.
+    /// Some strokes follow height, wind, light or slope, not UV coordinates.
     bool has_directions = false;
 };
 
-/// Computes the teeth of shadow edges that `style` asks for, on a page of `pixels_per_mm`.
+/// Computes the teeth (small strokes) of shadow edges for the style `style`, on a page of `pixels_per_mm`.
 [[nodiscard]] shared::EdgeProfile edge_profile(const ShadowStyle& style,
                                                const std::optional<HatchedLines>& lines, float pixels_per_mm);
 

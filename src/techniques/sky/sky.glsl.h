@@ -30,14 +30,14 @@ struct SkyConstants {
     vec3 towards_disc;
     float disc_lit; // lit share of the disc's width
     float steps;    // number of flat tones of the wash; 0: a smooth gradient
-    float far_m;    // only with sky_has_depth: surfaces nearer to the eye than this hide the sky
+    float far_m;    // only with sky_has_depth: surfaces nearer to the eye than `far_m` hide the sky
 };
 
 // Variant bits: each bit compiles one feature into the shader clouds.comp.
 SHARED_CONSTANT uint clouds_have_hatching = 1U << 0U;
 SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
 
-// An input image of the share of sunlight exists; it contains the shadows of other objects.
+// An input image of the share of sunlight exists; the image contains the shadows of other objects.
 SHARED_CONSTANT uint clouds_have_share = 1U << 2U;
 SHARED_CONSTANT uint clouds_keep_cover = 1U << 3U; // also outputs the clouds' coverage of each pixel
 SHARED_CONSTANT uint clouds_have_tiles = 1U << 4U; // paints only tiles in a list
@@ -48,12 +48,12 @@ SHARED_CONSTANT uint most_puff_layers = 2U;
 SHARED_CONSTANT float puff_wavers = 1.2F; // largest radius of a wavering outline, in radii of its puff
 
 // The space of a cloud layer: coordinates along the wind, above the base and across the wind, in cells. The
-// clouds repeat after a tile of `cells` x `cells` cells. Puffs (parts of a cloud) are balls in this space,
-// but may be flat or long in metres.
+// clouds repeat after a tile of `cells` x `cells` cells. Puffs (parts of a cloud) are balls in the cloud
+// layer's coordinates, but may be flat or long in metres.
 
-// A puff, a ball of cloud. It is stored in two texels of four floats.
+// A puff, a ball of cloud. The puff is stored in two texels of four floats.
 struct CloudPuff {
-    vec3 centre; // position in layer space, on the tile or next to it
+    vec3 centre; // position in cells of the cloud layer, on the repeated tile or next to it
     float radius;
     vec3 lean;   // unit vector in metres: direction in which the cloud mass around the puff thins out
     float trait; // random number of the puff, 0 to 1
@@ -63,7 +63,7 @@ struct CloudPuff {
 struct PuffLayer {
     vec3 eye;      // position of the eye in layer space, wrapped to the tile
     float base_m;  // height of the base above the eye
-    vec3 per_m;    // cells per metre along each axis of layer space
+    vec3 per_m;    // cells per metre along each axis of the cloud layer
     float thick_m; // thickness of the layer
     float pen;     // factor on the width of the outlines
     float under;   // how much darker the base of the clouds is
@@ -94,7 +94,7 @@ struct CloudGlobals {
     vec3 lit_color;   // transmittance of the paint on lit surfaces
     vec3 middle_color;
     vec3 shade_color;
-    float shade_below; // surfaces with less light than this are shaded
+    float shade_below; // light below which a surface is shaded
     float middle_band; // range of light below `shade_below` that is drawn in the middle tone
     float outline_px;
     float broken; // share of the outline on the lit side that is left out

@@ -46,10 +46,10 @@ struct SkyInputs {
     float pixels_per_mm = 1.0F;
     bool drawn = false;
     glm::uvec2 size_px{0};
-    /// If set, paints the sky only in these tiles of the page, a list from surface::add_far_tiles(). All
-    /// other tiles stay blank.
+    /// If set, paints the sky only in the listed tiles of the page; the list comes from
+    /// surface::add_far_tiles(). All other tiles stay blank.
     std::optional<gpu::BufferId> tiles;
-    /// If set, leaves a pixel blank if its visible surface is nearer to the eye than this distance.
+    /// If set, leaves a pixel blank if its visible surface is nearer to the eye than `far_m`.
     std::optional<float> far_m;
 };
 

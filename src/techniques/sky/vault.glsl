@@ -2,14 +2,14 @@
 #ifndef ESTAMPE_VAULT
 #define ESTAMPE_VAULT
 
-// Coordinates and pen of the strokes that hatch the sky. The including shader must define `frame` before this
-// file.
+// Coordinates and pen of the strokes that hatch the sky. The including shader must define `frame` before it
+// includes vault.glsl.
 
 #include "shaders/camera.glsl"
 #include "shaders/lines.glsl"
 
-// View direction at a position of the page. It uses a distant point, because near the eye the difference of
-// two positions would lose its digits to cancellation.
+// View direction at a position of the page. The direction is computed from a distant point, because near the
+// eye the difference of two positions would lose its digits to cancellation.
 vec3 direction_at(vec2 position_px)
 {
     return -towards_eye(frame, anchor_at(frame, position_px, 1e-5));
@@ -38,7 +38,8 @@ float along_strokes(vec2 here)
     return here.x + 6.2831853 * round((middle - here.x) / 6.2831853);
 }
 
-// Horizontal strokes in the direction `d`. `position_px` is the pixel position that looks in this direction.
+// Horizontal strokes in the direction `d`. `position_px` is the pixel position that looks in the direction
+// `d`.
 LineField level_strokes(vec3 d, vec2 position_px)
 {
     vec2 here = vault(d);

@@ -161,8 +161,8 @@ Seen add_seen(gpu::Graph& graph, const shared::SmokeBox& box, const SmokeStyle& 
     return {.density = density, .fire = is_burning(style) ? std::optional(fire) : std::nullopt};
 }
 
-/// Handle of an image that several boxes write one after another: the first box's pass writes, the others
-/// modify.
+/// Handle of an image that several smoke boxes write one after another: the first box's pass writes the
+/// image, the passes of later boxes modify it.
 template <class Handle>
 Handle write_turn(gpu::Pass& pass, Handle into, bool is_first)
 {
@@ -250,7 +250,7 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
     gpu::ImageId packed =
         graph.import_image("smoke/packed", memory.packed_, memory.packed_.desc(), gpu::Layout::undefined);
     gpu::BufferId densest = gpu::import_whole(graph, "smoke/bricks", memory.bricks_);
-    // Texture filters read texels next to boxes with weight 0, so these texels must not hold NaN.
+    // Texture filters read texels next to boxes with weight 0, so the texels next to boxes must not hold NaN.
     const bool is_blank = boxes.size() > 1 && has_gaps(boxes, known);
     if (is_blank) {
         for (gpu::ImageId* const field : {&shape, &light, &packed}) {

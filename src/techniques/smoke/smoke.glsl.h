@@ -40,7 +40,7 @@ SHARED_CONSTANT float smoke_most_puff = 0.95F;
 // A light in the coordinates of a smoke box, in cells.
 struct SmokeLight {
     vec3 place;     // place in cells; for a directional light, a unit vector towards it
-    float strength; // this light's share of all unobstructed light, at the middle of the box
+    float strength; // the light's share of all unobstructed light, at the middle of the box
     float range_m;  // range of the light; 0: a directional light
     float falloff;  // factor that converts strength / distance^2 to the share of all light
     vec3 beam;      // direction of a spot's beam
@@ -52,7 +52,7 @@ struct SmokeLight {
 // A smoke box and its contents. The fields of all boxes are stored in images of one common size. Each box's
 // layers begin at a whole brick.
 struct SmokeBox {
-    mat4 grid_from_anchor; // transform from anchor space to cells, counted from the box's low corner
+    mat4 grid_from_anchor; // transform from coordinates relative to a nearby origin to cells of the box
     mat4 anchor_from_grid;
     uvec3 cells;
     uint first_layer;

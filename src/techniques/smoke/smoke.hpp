@@ -15,11 +15,11 @@
 
 namespace estampe::smoke {
 
-/// A box of smoke: a grid of cells in anchor space.
+/// A box of smoke: a grid of cells in anchor space (coordinates relative to a nearby origin).
 struct Box {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
-    glm::mat4 grid_from_anchor{1.0F}; ///< transform from anchor space to cells of the box
+    glm::mat4 grid_from_anchor{1.0F}; ///< transform from anchor space (relative to a nearby origin) to cells
     glm::vec3 puffs_risen_m{0.0F};    ///< distance that the puffs have moved, in the grid's axes
     float strokes_risen_m = 0.0F;
     uint32_t number = 0; ///< number of the box; boxes with different numbers have different puffs
@@ -29,7 +29,8 @@ struct Box {
 
 /// A light of the scene that lights smoke.
 struct Lamp {
-    glm::vec3 place{0.0F};  ///< position in anchor space; for a directional light, a vector towards it
+    /// Position relative to a nearby origin; for a directional light, a vector to the light.
+    glm::vec3 place{0.0F};
     glm::vec3 beam{0.0F};   ///< direction of a spot's beam
     float luminance = 0.0F; ///< luminance at one metre, or at any distance for a directional light
     float range_m = 0.0F;   ///< range of the light; 0: a directional light
@@ -108,10 +109,10 @@ struct ViewInputs {
 };
 
 /// Marches view rays through the smoke. Writes rgba32f: opacity; mean light of the visible smoke, as a share
-/// of all light; distance at which the edge opacity is reached, 0 if it is not reached; and the orientation
-/// towards the light there, 0 to 1, plus 2 times the index of the densest box there. A ray passes all boxes
-/// together. Its step is the shortest of the steps of the boxes around the sample. Cost: a full-screen
-/// dispatch, a texel read per step in boxes and per empty brick.
+/// of all light; distance at which the edge opacity is reached, 0 if it is not reached; and a value for the
+/// place where it is reached: the orientation towards the light, 0 to 1, plus 2 times the index of the
+/// densest box. A ray passes all boxes together. The ray's step is the shortest of the steps of the boxes
+/// around the sample. Cost: a full-screen dispatch, a texel read per step in boxes and per empty brick.
 [[nodiscard]] gpu::ImageId add_march(gpu::Graph& graph, const Volume& volume, const SmokeStyle& style,
                                      const ViewInputs& in);
 

@@ -68,8 +68,8 @@ float cover_at(ivec2 pixel, float opacity)
     return clamp(0.5 + (opacity - smoke.edge) / max(length(slope), 0.02), 0.0, 1.0);
 }
 
-// Distance in pixels to the nearest place where the smoke ends, or where it is farther from the eye by
-// `gap_m` more than a steep slope allows. Places that the scene hides do not count.
+// Distance in pixels to the nearest place where the smoke ends, or where its depth jumps: there the smoke is
+// farther from the eye by `gap_m` more than a steep slope allows. Places that the scene hides do not count.
 float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel_m, float gap_m)
 {
     const float steep = 3.0;
@@ -87,7 +87,7 @@ float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel
     return nearest;
 }
 
-// Share of the smoke's ink that stays visible beside contour lines of objects in front of it, because half of
+// Share of the smoke's ink that stays visible beside contour lines of objects in front of the smoke. Half of
 // an outline's width lies beyond its object.
 float left_by_scene(ivec2 pixel, float own_depth)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel marches through the boxes from front to back, up to the visible surface: opacity of
-// the smoke, its brightness, and the distance at which it is dense enough to draw.
+// One thread per pixel marches through the smoke boxes from front to back, up to the visible surface. The
+// thread computes the smoke's opacity, its brightness, and the distance at which the smoke is dense enough to
+// draw.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -110,7 +111,7 @@ Stretch stretch_from(Ray ray, float from, float most)
 struct Gone {
     float left; // transmittance of the smoke so far
     float bright;
-    float surface_m; // distance at which the ray passed the edge opacity; 0 until then
+    float surface_m; // distance at which the ray reached the edge opacity; 0 before
     uint box;        // number of the densest box at the distance surface_m
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One workgroup per brick packs density and light of a cell and of its neighbour along z into one texel, so
-// that one filtered lookup interpolates between eight cells. It also stores the brick's highest density.
+// One workgroup handles one brick (block of cells). It packs density and light of a cell and of its neighbour
+// along z into one texel. So one filtered lookup interpolates between eight cells. The workgroup also stores
+// the brick's highest density.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,7 +22,7 @@ layout(scalar, binding = 0) uniform Smoke
 
 layout(binding = 1) uniform sampler2DArray shape;
 layout(binding = 2) uniform sampler2DArray light;
-layout(binding = 3) uniform sampler2DArray fire; // fire of this box, for smoke_has_fire
+layout(binding = 3) uniform sampler2DArray fire; // fire of the smoke box, for smoke_has_fire
 layout(binding = 4, rgba16f) writeonly uniform image2DArray out_packed;
 
 layout(scalar, binding = 5) writeonly buffer Bricks
@@ -71,8 +72,8 @@ void main()
         if (all(lessThan(cell, ivec3(smoke.boxes[turn.box].cells)))) {
             imageStore(out_packed, cell + ivec3(0, 0, smoke.boxes[turn.box].first_layer), vec4(here, there));
         }
-        // An interpolation between the brick's cells and the cells beyond never exceeds the maximum of these
-        // cells.
+        // An interpolation between the brick's cells and the cells beyond never exceeds the maximum of all
+        // cells between which it interpolates.
         float beside = max(max(shape_at(cell + ivec3(1, 0, 0)), shape_at(cell + ivec3(0, 1, 0))),
                            shape_at(cell + ivec3(1, 1, 0)));
         float beyond = max(max(shape_at(cell + ivec3(1, 0, 1)), shape_at(cell + ivec3(0, 1, 1))),

@@ -4,7 +4,7 @@
 
 #include "shaders/camera.glsl"
 
-// A ray in anchor space; `direction` is a unit vector.
+// A ray in anchor space (coordinates relative to a nearby origin); `direction` is a unit vector.
 struct Ray {
     vec3 origin;
     vec3 direction;

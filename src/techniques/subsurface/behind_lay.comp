@@ -36,8 +36,9 @@ vec3 level_at(int level, vec2 place)
                         : textureLod(level_5, place, 0.0).rgb;
 }
 
-// The background at a level, by a cubic B-spline of sixteen texels from four bilinear lookups: Sigg and
-// Hadwiger, "Fast Third-Order Texture Filtering", GPU Gems 2, 2005.
+// The background at one of its halved sizes, smoothed by a cubic B-spline over sixteen texels. Four bilinear
+// lookups read the sixteen texels; after Sigg and Hadwiger, "Fast Third-Order Texture Filtering", GPU Gems 2,
+// 2005.
 vec3 smooth_at(int level, vec2 pixel, vec2 size_px)
 {
     vec2 texels = ceil(size_px / float(1 << level));
@@ -62,8 +63,8 @@ vec3 smooth_at(int level, vec2 pixel, vec2 size_px)
     return sum;
 }
 
-// Standard deviation, in pixels of the page, of the blur of one background level: the blur by repeated
-// halving together with the blur by the spline.
+// Standard deviation, in pixels of the page, of the blur of one halved background image. The blur comes from
+// repeated halving and from the spline.
 float deviation_of(int level)
 {
     float side = float(1 << level);
@@ -84,8 +85,8 @@ void main()
     vec4 clear = texelFetch(clear_image, pixel, 0);
     float wanted_px = min(clear.a, constants.most_px);
     vec2 middle_px = vec2(pixel) + 0.5;
-    // Two levels of the background are interpolated by their variance; the unblurred background counts as the
-    // finest level.
+    // Two halved images of the background are interpolated by the variance of their blur. The unblurred
+    // background counts as the finest image.
     int upper = 0;
     while (upper < int(behind_levels) - 1 && deviation_of(upper) < wanted_px) {
         ++upper;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One thread per pixel of the half page (every second pixel) finds where the view ray leaves the body that it
-// entered: at the next surface behind, if that surface is a back face. Otherwise the body is a thin sheet,
-// and the ray leaves at the entry point. The thread lists the tiles whose exits need lighting. Bodies that
-// let almost no light through need no lighting.
+// entered. The ray leaves at the next surface behind, if that surface is a back face. Otherwise the body is a
+// thin sheet, and the ray leaves at the entry point. The thread lists the tiles whose exits need lighting.
+// Bodies that let almost no light through need no lighting.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -49,11 +49,12 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/subsurface/scatter.glsl"
 
-// Smallest share of transmitted light that counts. Below it, even white light sixteen times as bright changes
-// no pixel.
+// Smallest share of transmitted light that counts. Below this share, even white light sixteen times as bright
+// changes no pixel.
 const float least_through = 1.0 / 4096.0;
 
-// One bit per tile, set if light passes through; a workgroup has four tiles, one below the other.
+// One bit per tile, set if light passes through bodies in the tile; a workgroup has four tiles, one below the
+// other.
 shared uint shining_tiles;
 
 // Adds to the tile list the tiles of a column whose bits are set in `rows`, at least one; bit 0 is the first

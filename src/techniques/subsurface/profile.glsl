@@ -13,8 +13,8 @@ vec3 error_function(vec3 x)
 }
 
 // Share of the Gaussians in Burley's profile with a deviation of at most `deviation`. The profile is a
-// mixture of Gaussians whose deviations follow half-normal distributions: a quarter of width d and three
-// quarters of width 3 d.
+// mixture of Gaussians whose deviations follow half-normal distributions. A quarter of the profile has a
+// width of the scattering distance d, three quarters have a width of 3 d.
 vec3 share_below(float deviation, vec3 spread)
 {
     vec3 x = 0.70711 * deviation / max(spread, 1e-4);
@@ -38,8 +38,8 @@ float kept_below_tx()
     return 0.5 * deviation_tx(-1);
 }
 
-// Standard deviation above which Gaussians of the diffusion profile read this blur level. Narrower Gaussians
-// read the previous level.
+// Standard deviation above which Gaussians of the diffusion profile read the given blur level. Narrower
+// Gaussians read the previous level.
 float level_from_tx(int level)
 {
     return sqrt(deviation_tx(level - 1) * deviation_tx(level));

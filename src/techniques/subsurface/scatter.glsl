@@ -24,7 +24,8 @@ const float half_page_variance_px2 = 0.85;
 
 const float nowhere_m = 1e30; // distance that marks pixels whose surface scatters no light
 
-// Kinds of light transport in a pixel; several may apply. This constant means that no light is transported.
+// Kinds of light transport in a pixel; several may apply. The constant `takes_nothing` means that no light is
+// transported.
 const float takes_nothing = 0.0;
 const float takes_light_through = 1.0; // kind of light transport: light arrives from the body's far side
 const float takes_light_about = 2.0;   // kind of light transport: light spreads below the surface
@@ -37,7 +38,7 @@ uvec2 squares_of(uvec2 size_px)
     return (size_px + scatter_square_px - 1u) / scatter_square_px;
 }
 
-// The pixel of the current tile that a half-page pixel (one of every second pixel) stands for.
+// Position, in the current tile, of a half-page pixel (the half page has every second pixel of the page).
 ivec2 whole_pixel(ivec2 half_pixel)
 {
     return min(2 * (half_pixel + ivec2(constants.from_half)) - ivec2(frame.tile_from_px),
@@ -49,9 +50,9 @@ bool is_on_half_page(ivec2 half_pixel)
     return all(greaterThanEqual(half_pixel, ivec2(0))) && all(lessThan(uvec2(half_pixel), constants.half_px));
 }
 
-// Tile side of the blur's workgroups. A workgroup processes pixels that are as far apart as the blur's taps,
-// so that all taps are in the tile except for two pixels at each side. Tiles whose pixels interleave have
-// consecutive numbers.
+// Tile side of the blur's workgroups. A workgroup processes pixels that are as far apart as the blur's taps
+// (pixels read). So all taps are in the tile, except for two pixels at each side. Tiles whose pixels
+// interleave have consecutive numbers.
 const uint blur_tile_side = 16u;
 
 uvec2 blur_groups(uint level)
@@ -107,8 +108,8 @@ float kept_below_px()
     return 0.5 * deviation_px(-1);
 }
 
-// Standard deviation above which Gaussians of the diffusion profile read this blur level. Narrower Gaussians
-// read the previous level.
+// Standard deviation above which Gaussians of the diffusion profile read the given blur level. Narrower
+// Gaussians read the previous level.
 float level_from_px(int level)
 {
     return sqrt(deviation_px(level - 1) * deviation_px(level));
@@ -122,7 +123,8 @@ float falloff_at(vec4 own, int apart)
     return own.w < nowhere_m ? -0.5 / max(deviation_m * deviation_m, 1e-12) : 0.0;
 }
 
-// Change of a pixel's light by another pixel, one or two blur steps away; 0 if one of them scatters no light.
+// Change of a pixel's light by another pixel, one or two blur steps away; 0 if one of the two pixels scatters
+// no light.
 vec3 change_by(vec4 own, vec4 other, int steps, float falloff)
 {
     float off = min(abs(other.w - own.w), 1e15);
@@ -130,8 +132,8 @@ vec3 change_by(vec4 own, vec4 other, int steps, float falloff)
     return (steps == 2 ? 0.0625 : 0.25) * near * (other.rgb - own.rgb);
 }
 
-// Beyond this multiple of the scattering distance d, less than a thousandth of a pixel's light is left, which
-// is invisible.
+// Multiple of the scattering distance d beyond which less than a thousandth of a pixel's light is left; such
+// light is invisible.
 const float held_deviations = 9.6;
 
 bool holds_all(float deviation, float spread_px)

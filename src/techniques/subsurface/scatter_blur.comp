@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One thread per pixel of the half page (every second pixel) spreads light along rows or columns, by five
-// taps of a B-spline. Pixels too far apart along the view exchange no light; the light that they would
-// exchange stays in place. This shader is for CPUs, whose threads share memory slowly; scatter_blur_tile.comp
-// does both directions at once.
+// taps (pixels read) with the weights of a B-spline. Pixels too far apart along the view exchange no light;
+// light that would cross the gap stays in place. The shader scatter_blur.comp is for CPUs, whose threads
+// share memory slowly. On GPUs, scatter_blur_tile.comp blurs rows and columns in one dispatch.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,7 +20,7 @@ layout(scalar, binding = 0) uniform Frame
 layout(binding = 1) uniform sampler2D spread_image;
 layout(binding = 2) uniform sampler2D light_image;
 layout(binding = 3, rgba32f) writeonly uniform image2D out_light;
-layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the blur levels; this pass adds its level
+layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the blurred images; each blur pass adds one
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One workgroup spreads light in a tile of pixels that are as far apart as the taps. It blurs along rows and
-// then along columns, by five taps of a B-spline each. Pixels too far apart along the view exchange no light;
-// the light that they would exchange stays in place.
+// One workgroup spreads light in a tile of pixels that are as far apart as the blur's taps (pixels read). The
+// workgroup blurs along rows and then along columns, each by five taps with the weights of a B-spline. Pixels
+// too far apart along the view exchange no light; light that would cross the gap stays in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -19,7 +19,7 @@ layout(scalar, binding = 0) uniform Frame
 layout(binding = 1) uniform sampler2D spread_image;
 layout(binding = 2) uniform sampler2D light_image;
 layout(binding = 3, rgba32f) writeonly uniform image2D out_light;
-layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the blur levels; this pass adds its level
+layout(binding = 4, rgba32f) uniform image2D sum_image; // sum of the blurred images; each blur pass adds one
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -29,7 +29,7 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/subsurface/scatter.glsl"
 
 const int side = int(blur_tile_side);
-const int beside = 2; // taps of the blur to each side
+const int beside = 2; // taps (pixels read) of the blur to each side
 const int wide = side + 2 * beside;
 const int in_rows = wide * wide; // index in `held` of the light that has been blurred along rows
 
@@ -59,7 +59,7 @@ void main()
     int thread = int(gl_LocalInvocationIndex);
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
     ivec2 half_pixel = first + apart * local;
-    // These texel reads start early, because their results are needed last.
+    // The texel reads below start early, because their results are needed last.
     vec3 spread_px = texelFetch(spread_image, min(half_pixel, last_of_page), 0).rgb;
     vec4 sum = imageLoad(sum_image, min(half_pixel, last_of_page));
     for (int i = thread; i < wide * wide; i += side * side) {

@@ -49,7 +49,7 @@ const float least_near = 1e-4;
 
 void main()
 {
-    // If a square were twice in the list, it would get its light twice.
+    // If a square of the page were twice in the list, the square would get its light twice.
     ivec2 pixel =
         has_listed_tile() ? ivec2(listed_from_px() + gl_LocalInvocationID.xy) : ivec2(frame.size_px);
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
@@ -67,7 +67,7 @@ void main()
     float tolerance_m = max(4.0 * pixel_m, max(max(scatter_m.x, scatter_m.y), scatter_m.z));
     float per_variance = -0.5 / max(tolerance_m * tolerance_m, 1e-12);
     // Pixels of the half page (every second pixel) lie at the middle of four page pixels. Transmitted light
-    // was computed at the first of the four.
+    // was computed at the first of the four page pixels.
     uvec2 on_page = uvec2(pixel) + frame.tile_from_px;
     vec2 place = 0.5 * vec2(on_page) - 0.25 - vec2(constants.from_half);
     ivec2 first = ivec2(floor(place));

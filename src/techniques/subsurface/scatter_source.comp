@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel of the half page (every second pixel) collects the light that spreads from this pixel,
-// with transmitted light from the far side. It also records which blurs are needed, and lists the squares of
-// the page that receive light.
+// One thread per pixel of the half page (every second pixel) collects the light that spreads from the pixel,
+// with transmitted light from the far side. The thread also records which blurs are needed, and lists the
+// squares of the page that receive light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -55,22 +55,22 @@ layout(push_constant, scalar) uniform Constants
 const float most_light = 65504.0; // largest number that a half float can hold
 
 shared uint widest_of_group; // largest scattering distance in the workgroup, on the page, as float bits
-// One bit for each square of the page in and around this workgroup; set if the square receives light.
+// One bit for each square of the page in and around the workgroup; set if the square receives light.
 shared uint reached_about;
-shared uint newly_reached; // number of squares that this workgroup lists
+shared uint newly_reached; // number of squares that the workgroup lists
 shared uint first_listed;  // index in the list of the workgroup's first square
 
 // A workgroup has four squares, one below the other. With a border of one square there are 3 x 6 squares.
 const uint squares_across = 3u;
 const uint squares_about = 18u;
 
-// Bits of the squares whose page pixels read this pixel of the half page (every second pixel). Near a
+// Bits of the squares whose page pixels read the thread's pixel of the half page (every second pixel). Near a
 // square's edge, neighbouring squares are included.
 uint squares_that_look(uvec2 local)
 {
     uvec2 within = local % 8u;
     uint columns = 2u | (within.x == 0u ? 1u : 0u) | (within.x == 7u ? 4u : 0u);
-    uint row = squares_across * (local.y / 8u); // row of the square above this pixel's square
+    uint row = squares_across * (local.y / 8u); // row of the square above the thread's square
     uint about = columns << (row + squares_across);
     about |= within.y == 0u ? columns << row : 0u;
     return about | (within.y == 7u ? columns << (row + 2u * squares_across) : 0u);
@@ -96,7 +96,7 @@ uint reached_word(uvec2 square)
     return needs_word(most_scatter_levels) + square.y * squares_of(frame.size_px).x + square.x;
 }
 
-// Whether this workgroup is the first to reach a square, so that it must list it.
+// Whether the thread's workgroup is the first that reaches a square, so that it must list the square.
 bool reaches_first(ivec2 square)
 {
     ivec2 squares = ivec2(squares_of(frame.size_px));

@@ -26,24 +26,24 @@ struct SubsurfaceParameters {
     float unused;
 };
 
-// Constants of scattering passes. The half page has every second pixel in x and y, at even positions. Pixel
-// `i` is page pixel 2 * (from_half + i).
+// Constants of scattering passes. The half page has every second pixel in x and y, at even positions. The
+// half-page pixel at the index `i` is the page's pixel 2 * (from_half + i).
 struct ScatterConstants {
     uvec2 from_half;
     uvec2 half_px;
     float most_px; // largest scattering distance d, in pixels of the page
-    // Number of the blur level, whose taps are 2^level apart; level 0 is the narrowest. In the source pass,
-    // the number of levels.
+    // Number of the blur; its taps (pixels read) are 2^level pixels apart, and number 0 is the narrowest
+    // blur. In the source pass, the count of blurs.
     int level;
-    uint is_last; // 1: this is the last blur level, which also replaces all wider Gaussians
+    uint is_last; // 1 in the last blur, which also replaces all wider Gaussians
 };
 
 // Constants of a map that covers all surfaces, in which light spreads between texels.
 struct TextureConstants {
     uint size;     // texels per side of the map
     float most_tx; // largest scattering distance d, in texels
-    int level;     // number of the blur level, whose taps are 2^level apart; level 0 is the narrowest
-    uint is_last;  // 1: this is the last blur level, which also replaces all wider Gaussians
+    int level;     // number of the blur, 0 the narrowest; its taps (texels read) are 2^level texels apart
+    uint is_last;  // 1 in the last blur, which also replaces all wider Gaussians
 };
 
 // Bits of the subsurface shaders' `variant`.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Subsurface scattering: light is transmitted from a body's far side, and spreads below its surface, on the
-// page or in a map that covers all surfaces. Also draws the background of thick clear bodies.
+// Subsurface scattering: light is transmitted from a body's far side, and spreads below the body's surface.
+// The light spreads on the page, or in a map that covers all surfaces. Also draws the background of thick
+// clear bodies.
 
 #include <optional>
 #include <vector>
@@ -53,7 +54,7 @@ struct SubsurfaceStyle {
 [[nodiscard]] bool shines(const SubsurfaceStyle& style);
 [[nodiscard]] bool scatters(const SubsurfaceStyle& style);
 
-/// Whether the background is visible through bodies of this style.
+/// Whether the background is visible through bodies that are drawn in the style.
 [[nodiscard]] bool is_clear(const SubsurfaceStyle& style);
 
 /// Whether lines behind a clear body are drawn: at least half of the background must be visible. Lines do not
@@ -111,8 +112,8 @@ struct Through {
 };
 
 /// Adds passes that spread `light`, with transmitted light from the far side, below the surface; if `spreads`
-/// is false they only add the transmitted light. Returns the new version of `light`. Transmission follows the
-/// Beer-Lambert law.
+/// is false, the passes only add the transmitted light. Returns the new version of `light`. Transmission
+/// follows the Beer-Lambert law.
 ///
 /// Cost    one dispatch over the half page, then one over the squares that receive light. Spreading adds one
 ///         dispatch (two on a CPU) over the half page per doubling of the scattering distance on the page, up
@@ -170,7 +171,8 @@ struct TextureInputs {
 struct TextureSurface {
     gpu::ImageId draw;   ///< r32ui: draw call + 1 and flags, as in Surface::draw; 0 for unused texels
     gpu::ImageId normal; ///< rg32ui: packed normal, stored twice
-    gpu::ImageId points; ///< rgba32f: xyz position in anchor space, w size of a texel there
+    /// Rgba32f: xyz position relative to a nearby origin, w size of the texel in the scene.
+    gpu::ImageId points;
 };
 
 /// Adds a pass that finds the position and normal of each map texel on the posed surfaces. Cost: one dispatch

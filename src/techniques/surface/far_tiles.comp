@@ -33,7 +33,7 @@ float straight_at(vec2 corner_px)
 }
 
 // Upper bound on the reversed depth of surfaces at `distance_m` or farther, anywhere in the tile. Some nearer
-// surfaces may pass the test too.
+// surfaces may also pass the test.
 float depth_at_most(vec2 from_px, float distance_m)
 {
     float least = min(min(straight_at(from_px), straight_at(from_px + vec2(8.0, 0.0))),

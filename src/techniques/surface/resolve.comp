@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel converts the visible triangle to surface attributes: shading normal and smooth normal,
-// colour, and the coordinate that strokes follow with its change per pixel. Background pixels get only draw,
-// depth and a blank normal; the other images are undefined there.
+// One thread per pixel converts the visible triangle to surface attributes. The attributes are shading
+// normal, smooth normal, colour, and the coordinate that strokes follow with its change per pixel. Background
+// pixels get only draw, depth and a blank normal; the other images are undefined there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require

@@ -67,9 +67,9 @@ struct FarInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Lists the tiles of 8 x 8 pixels that may show sky: tiles with any pixel of background, or of a surface
-/// that is `from_m` or farther from the eye. No other tile has such a pixel. In parallel projection all tiles
-/// are listed.
+/// Lists the tiles of 8 x 8 pixels that may show sky. A listed tile may have a pixel of background, or of a
+/// surface that is `from_m` or farther from the eye. No other tile has a pixel of background or of a far
+/// surface. In parallel projection all tiles are listed.
 ///
 /// Writes  a list of tiles, see shaders/tiles.glsl.h
 /// Cost    one thread per tile, which stops at the first such pixel

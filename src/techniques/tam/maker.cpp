@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws tonal art maps after Praun, Hoppe, Webb and Finkelstein, "Real-Time Hatching", SIGGRAPH 2001: tones
-// from light to dark, levels from coarse to fine. For each stroke, many random strokes are tried, and the one
-// that is best spaced at all scales is drawn.
+// from light to dark, levels from coarse to fine. For each stroke, many random strokes are tried, and the
+// stroke that is best spaced at all scales is drawn.
 #include "techniques/tam/maker.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace estampe::tam {
 namespace {
 
 constexpr uint32_t full = 65535;
-constexpr uint32_t half = full / 2; ///< a texel with more ink than this counts as black
+constexpr uint32_t half = full / 2; ///< a texel with more than half of the full ink counts as black
 
 /// The ink that a mark adds to a texel that already has `ink`.
 uint32_t added(uint32_t ink, uint32_t mark)
@@ -244,7 +244,7 @@ public:
     }
 
 private:
-    /// A brush that draws a plain solid line; it measures the spacing of strokes.
+    /// A brush that draws a plain solid line; its marks measure the spacing of strokes.
     static Brush round_style(TamStyle style)
     {
         style.tool = Tool::pen;
@@ -253,7 +253,7 @@ private:
         return Brush(style);
     }
 
-    /// Among the layers of strokes that this tone draws, finds the layer that lacks most of its planned ink.
+    /// Among the layers of strokes that the tone draws, finds the layer that lacks most of its planned ink.
     [[nodiscard]] size_t next_layer(const Level& level) const
     {
         constexpr std::array<double, most_layers> share{1.0, 0.75, 0.5};

@@ -17,12 +17,12 @@
 
 namespace estampe::tam {
 
-/// Version of the drawing code. It is increased whenever the same style would give a different map, so that
-/// cached maps are drawn again.
+/// Version of the drawing code. The version is increased whenever the same style would give a different map,
+/// so that cached maps are drawn again.
 inline constexpr int drawing_version = 2;
 
-/// A stroke of a map. The stroke appears in all mip levels from 0 (the finest) to `level`, and in all tones
-/// from `tone` on to the darkest.
+/// A stroke of a map. The stroke appears in all mip levels from 0 (the finest) to the level `level`, and in
+/// all tones from the tone `tone` to the darkest.
 struct PlacedStroke {
     Stroke stroke;
     size_t tone = 0;
@@ -69,9 +69,9 @@ public:
 
     [[nodiscard]] Gray8 coverage() const;
 
-    /// Returns the threshold of each texel: the share of all texels, times 255, that were ink when this texel
+    /// Returns the threshold of each texel: the share of all texels, times 255, that were ink when the texel
     /// turned to ink. Texels that never turned to ink get the highest thresholds, in the order of decreasing
-    /// ink. So a share of T / 255 of all texels has a threshold of at most T.
+    /// ink. So, for any value T, a share of T / 255 of all texels has a threshold of at most T.
     [[nodiscard]] Gray8 thresholds() const;
 
 private:
@@ -85,8 +85,8 @@ private:
 /// Positions of the strokes of one direction, at several scales; each scale is half as fine as the previous
 /// scale. A new stroke is well spaced if it passes over little ink at every scale. Each scale stores a
 /// picture and the mean ink around each place. In a coarse picture, strokes have the same width in pixels as
-/// in the finest one, so they keep other strokes farther away. The mean ink is still useful when the picture
-/// is full of ink.
+/// in the finest picture, so strokes in coarse pictures keep other strokes farther away. The mean ink is
+/// still useful when the picture is full of ink.
 ///
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001, section 3.2, for the pictures
 class Spacing {

@@ -12,8 +12,8 @@ namespace {
 
 constexpr size_t picture_columns = 256;
 
-/// Smallest ink on a stroke's centre line. It is more than one half even after rounding. Otherwise a thin
-/// stroke tip could count as ink in one mip level and not in the next.
+/// Smallest ink on a stroke's centre line. The smallest ink is more than one half even after rounding.
+/// Otherwise a thin stroke tip could count as ink in one mip level and not in the next.
 constexpr float least_ink = 0.53F;
 
 float smooth(float from, float to, float x)
@@ -80,8 +80,8 @@ std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed
             const float height = 0.5F * bumps(x, y, cell_px, 0) +
                                  0.35F * bumps(x, y, std::max(1U, cell_px / 2), 101U) +
                                  0.15F * bumps(x, y, 1, 211U);
-            // The height of the paper is a sum of random bumps, and such sums cluster around one half. The
-            // factor spreads the heights over the range from 0 to 1.
+            // The height of the paper is a sum of random bumps, and sums of random bumps cluster around one
+            // half. The factor spreads the heights over the range from 0 to 1.
             tooth[size_t{y} * size_px + x] = std::clamp(0.5F + 1.7F * (height - 0.5F), 0.0F, 1.0F);
         }
     }
@@ -147,8 +147,8 @@ float Brush::pressure(float along, uint32_t seed) const
     return 1.0F - pressure_ * noise;
 }
 
-/// Ink of a pencil or charcoal: only those bumps of the paper take ink that are high enough for the pressure.
-/// The pressure is strongest on the centre line.
+/// Ink of a pencil or charcoal: only bumps of the paper that are high enough for the pressure take ink. The
+/// pressure is strongest on the centre line.
 float Brush::grained(const Touch& touch, float roughness) const
 {
     const float side = std::min(1.0F, std::abs(touch.across_px) / (touch.half_px + 0.5F));
@@ -259,7 +259,7 @@ private:
 };
 
 /// The texels through which a stroke's centre line runs. For each column of the picture (each row, if the
-/// stroke is steep), stores the lowest and the highest of these texels.
+/// stroke is steep), stores the lowest and the highest texel of the centre line.
 class Middle {
 public:
     Middle(const Stroke& stroke, uint32_t size_px, int major) : major_(major)

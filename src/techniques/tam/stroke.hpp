@@ -51,7 +51,7 @@ struct Mark {
 struct Touch {
     float along = 0.0F;     ///< position along the stroke: 0 at the start, 1 at the end
     float across_px = 0.0F; ///< signed distance from the centre line, in pixels
-    float half_px = 1.0F;   ///< half the stroke's width at this position, in pixels
+    float half_px = 1.0F;   ///< half the stroke's width at the texel, in pixels
     float tooth = 0.0F;     ///< height of the paper at the texel, 0 to 1
     float hairs = 1.0F;     ///< fineness of a brush's hairs, as a multiple of the usual fineness
     bool on_middle = false; ///< the centre line of the stroke runs through the texel
@@ -72,8 +72,8 @@ struct Touch {
 /// also ink in the next level. A picture may have gaps.
 class Brush {
 public:
-    /// `picture` shows a stroke from its left to its right side. Its alpha is the ink, or its darkness if the
-    /// picture is fully opaque. Throws Error if the picture is empty or has no ink.
+    /// `picture` shows a stroke from its left to its right side. The picture's alpha is the ink, or its
+    /// darkness if the picture is fully opaque. Throws Error if the picture is empty or has no ink.
     explicit Brush(const TamStyle& style, const Image* picture = nullptr);
 
     /// Ink of a stroke at a texel, 0 to 1. Strokes with different `seed` differ.

@@ -21,8 +21,8 @@ inline constexpr uint32_t min_size_px = 32;
 inline constexpr uint32_t max_size_px = 2048;
 inline constexpr size_t min_tones = 1;
 inline constexpr size_t max_tones = 16;
-/// Side in pixels of the smallest mip level that is drawn with strokes. Smaller levels are averages of this
-/// level, because a stroke would be as wide as the whole level.
+/// Side in pixels of the smallest mip level that is drawn with strokes. Smaller levels are averages of the
+/// smallest drawn level, because a stroke would be as wide as the whole level.
 inline constexpr uint32_t least_drawn_px = 8;
 
 /// Number of mip levels from `size_px` down to 1 px.
@@ -43,9 +43,10 @@ void check_map(const TonalArtMap& map, const std::string& where);
 /// texel turns to ink. To draw any darkness t, a shader computes the ink of a texel as
 /// saturate(sharpness * (t - T / 255) + 0.5). So whole strokes appear in the order of the map.
 ///
-/// Uses the maker's thresholds if the map has them: a share t of the texels has T <= 255 t, so the tone is
-/// exact. Otherwise each texel's coverage is interpolated linearly from tone to tone, from paper at darkness
-/// 0 to ink at darkness 1; T / 255 is the darkness at which the coverage passes one half.
+/// Uses the maker's thresholds if the map has them. With the maker's thresholds, the share of texels that are
+/// ink equals the darkness, so the tone is exact. Otherwise each texel's coverage is interpolated linearly
+/// from tone to tone, from paper at darkness 0 to ink at darkness 1. The threshold divided by 255 is the
+/// darkness at which the coverage passes one half.
 ///
 /// Source  Webb et al., "Fine Tone Control in Hardware Hatching", NPAR 2002
 [[nodiscard]] std::vector<Gray8> threshold_levels(const TonalArtMap& map);

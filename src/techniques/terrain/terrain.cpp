@@ -105,8 +105,8 @@ void Terrain::paint_mask(std::string_view mask, const std::vector<float>& height
     program_ = std::move(painted);
 }
 
-// The automatic camera for a terrain without objects. It chooses a view in which light and shaded areas are
-// balanced.
+// The automatic camera for a terrain without objects. The automatic camera has a view in which light and
+// shaded areas are balanced.
 
 namespace {
 
@@ -173,7 +173,7 @@ private:
     std::vector<double> heights_m_;
 };
 
-/// Returns eye positions at a rider's height above the highest places of the ground. The positions keep a
+/// Returns eye positions at a rider's height above the highest places of the ground. The eye positions keep a
 /// minimum distance from each other.
 std::vector<glm::dvec3> lookouts(const Relief& relief)
 {
@@ -249,8 +249,8 @@ double merit(const Relief& relief, const Camera& camera, const glm::dvec3& towar
 Camera terrain_camera(const Terrain& terrain, double time_s, const glm::dvec3& towards_sun)
 {
     constexpr int headings = 24;
-    // Tangent of the camera's pitch. With this value, the horizon lies a third of the page's height below the
-    // top edge.
+    // Tangent of the camera's pitch. With the returned value, the horizon lies a third of the page's height
+    // below the top edge.
     constexpr double pitch = -0.16;
     constexpr double farthest_m = 100.0;
     const Relief relief(terrain, time_s);

@@ -12,11 +12,11 @@ namespace estampe::shared {
 #endif
 
 // The vertices of a terrain. A terrain vertex is stored as a column and a row in the grid of one level of
-// detail. The level's position converts these to a place on the ground.
+// detail. The position of the level of detail converts column and row to a place on the ground.
 
 // A vertex is one 32-bit word: column in bits 0-12, row in bits 13-25, part in bits 26-27, level in bits
-// 28-31. The part "trim" fills the gap between a level and the finer level inside it; its columns and rows
-// count from its own corner.
+// 28-31. The part "trim" fills the gap between a level and the finer level inside it; columns and rows of the
+// trim count from the trim's own corner.
 SHARED_CONSTANT uint terrain_part_grid = 0U;
 SHARED_CONSTANT uint terrain_part_trim_column = 1U;
 SHARED_CONSTANT uint terrain_part_trim_row = 2U;
@@ -28,21 +28,23 @@ SHARED_CONSTANT uint terrain_has_places = 1U;
 SHARED_CONSTANT uint terrain_keeps_before = 2U;
 
 struct TerrainLevel {
-    vec2 origin_m;  // position of column 0 and row 0, relative to the anchor
+    vec2 origin_m;  // position of column 0 and row 0, relative to the anchor (a nearby origin)
     vec2 eye_cells; // position of the eye relative to the origin, in cells
     float cell_m;   // distance between neighbouring vertices
-    // Distance from the eye, in cells, at which heights begin to blend into those of the next level.
+    // Distance from the eye, in cells, at which heights begin to blend into the heights of the next coarser
+    // level.
     float fade_from;
-    float fade_to;    // distance from the eye, in cells, at which heights equal those of the next level
+    // Distance from the eye, in cells, at which heights equal the heights of the next coarser level.
+    float fade_to;
     uint hole_first;  // first column and row at which the hole for the finer level may begin
-    uint hole_count;  // columns and rows of the hole for the finer level, in cells of this level
+    uint hole_count;  // columns and rows of the hole for the finer level, in cells of the current level
     uvec2 hole_shift; // 0 or 1 in x and y: cells between `hole_first` and the actual start of the hole
 };
 
 // Constants for all vertices of a terrain.
 struct TerrainGlobals {
-    vec2 eye_m;            // position of the eye (x, z), relative to the anchor
-    float anchor_y_m;      // height of the anchor in the world
+    vec2 eye_m;            // position of the eye (x, z), relative to the anchor (a nearby origin)
+    float anchor_y_m;      // height in the world of the anchor (the origin of positions on the GPU)
     float stroke_unit_m;   // length in metres of one unit of stroke coordinates
     float planet_radius_m; // radius of the planet; 0 for flat ground
     float before_s;        // time between the previous frame and this frame, in seconds
@@ -53,7 +55,8 @@ struct TerrainGlobals {
     uint instruction_count;
 };
 
-// A square field of heights. `origin_m` is the centre of the first texel, relative to the anchor.
+// A square field of heights. `origin_m` is the centre of the first texel, relative to the anchor (a nearby
+// origin).
 struct TerrainField {
     vec2 origin_m;
     float texel_m;
@@ -132,9 +135,11 @@ SHARED_CONSTANT uint slab_open_sand = 0U;
 SHARED_CONSTANT uint slab_open_rock = 1U; // the cell has no sand left
 SHARED_CONSTANT uint slab_in_lee = 2U;
 
-SHARED_CONSTANT uint slab_most_hops = 32U; // a slab comes to rest after at most this many hops
+// Largest number of hops of a slab (unit of sand) before it comes to rest.
+SHARED_CONSTANT uint slab_most_hops = 32U;
 
-// A line of cells along the wind is divided into this many pieces. One thread processes one piece.
+// Number of pieces into which a line of cells along the wind is divided. One thread processes one piece of
+// the line.
 SHARED_CONSTANT uint slab_pieces = 16U;
 
 // Constants of one simulation step of the sand. The movement of sand uses only whole numbers, so that the
@@ -149,19 +154,21 @@ struct SlabConstants {
     // side is a whole number of cells.
     int slope;
     int phase; // offset for rounding lines to cells, in cells times 65536
-    // Fall of the lee's roof (an imaginary surface that descends downwind from each crest) per step along a
-    // line, in 1/256 slab.
+    // Fall, per step along a line of cells, of the lee's roof (an imaginary surface that descends downwind
+    // from each crest). In 1/256 slab (unit of sand).
     int drop;
     int hop_x; // length of a hop along x, in 1/256 cell
     int hop_y;
-    int mean;     // height of sand, in slabs, at which hops have the length `hop_x`, `hop_y`
-    int gain;     // relative growth of a hop's length per slab of height above `mean`, times 65536
-    uint lift;    // per step, the wind tries to lift a slab from this many of 65536 cells
-    uint on_sand; // of 65536 slabs that land on sand, this many stay
+    int mean; // height of sand, in slabs, at which hops have the length `hop_x`, `hop_y`
+    // Relative growth of a hop's length per slab (unit of sand) above the mean height `mean`, times 65536.
+    int gain;
+    // Number of cells, out of 65536, from which the wind tries to lift a slab (unit of sand) per step.
+    uint lift;
+    uint on_sand; // number of slabs (units of sand), out of 65536 that land on sand, that stay
     uint on_rock;
 };
 
-// Constants of one slide: steep sand slides within blocks of 2 x 2 cells. The next slide uses other blocks.
+// Constants of one slide: steep sand slides within blocks of 2 x 2 cells. The next slide uses shifted blocks.
 struct SlideConstants {
     uint side;
     uint first_x; // 0 or 1: column at which the first block starts
@@ -172,7 +179,7 @@ struct SlideConstants {
 
 struct SlabHeightConstants {
     uint side;
-    uint radius; // number of cells in each direction over which heights are smoothed
+    uint radius; // number of cells of sand in each direction over which heights are smoothed
     float slab_m;
     float fraction; // interpolates heights from before the last step (0) to after it (1)
 };
@@ -186,8 +193,8 @@ SHARED_CONSTANT float ripple_cell_across = 7.0F;
 
 struct RippleConstants {
     vec2 wind;  // unit vector of the wind's direction, as (x, z)
-    vec2 rest;  // position of the anchor in its lattice cell, along and across the wind
-    uvec2 cell; // lattice cell that contains the anchor, as the bits of an ivec2
+    vec2 rest;  // position of the anchor (a nearby origin) in its lattice cell, along and across the wind
+    uvec2 cell; // lattice cell that contains the anchor (a nearby origin), as bits of an ivec2
     float wavelength_m;
     float height_m; // height of a ripple from trough to crest
     float meander;
@@ -253,7 +260,7 @@ struct TrailImageConstants {
 };
 
 struct TrailRelief {
-    vec2 corner_m; // position of the image's corner, relative to the anchor
+    vec2 corner_m; // position of the image's corner, relative to the anchor (a nearby origin)
     float texel_m;
     uint draw;        // number of the terrain's draw (mesh primitive)
     vec3 towards_sun; // unit vector; zero if there is no sun
@@ -264,10 +271,10 @@ struct TrailRelief {
 SHARED_CONSTANT uint drift_streaks_a_cell = 6U;
 SHARED_CONSTANT float drift_life_s = 2.4F; // lifetime of a streak of sand
 
-// Constants of the streaks of drifting sand. The cells are the texels of a field of heights. They are
+// Constants of the streaks of drifting sand. The cells are the texels of a field of heights. The cells are
 // numbered on the ground, so that a streak does not depend on the position of the field.
 struct DriftConstants {
-    vec2 corner_m; // centre of the field's first texel, relative to the anchor
+    vec2 corner_m; // centre of the field's first texel, relative to the anchor (a nearby origin)
     float cell_m;
     uint side;    // number of cells per side of the field
     uint first_x; // column number on the ground of the field's first cell; wraps around

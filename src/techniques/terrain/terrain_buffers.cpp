@@ -115,7 +115,7 @@ std::string value_of(const Instruction& i)
     }
 }
 
-/// The SPIR-V words of a compiled shader, and the shader object that points to these words. A Compiled must
+/// The SPIR-V words of a compiled shader, and the shader object that points to the words. A Compiled must
 /// therefore not move in memory.
 struct Compiled {
     std::string name;
@@ -446,7 +446,7 @@ gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const HeightFields& 
     const gpu::ImageId height = pass.write(graph.image(
         "terrain/heights", {.width = size.x, .height = count * size.y, .format = gpu::Format::r32f}));
     // Estimated time in microseconds for the longest chain of noise octaves. Octaves run one after another,
-    // so even a few vertices take this long.
+    // so even a few vertices take the estimated time.
     constexpr uint32_t point_us = 45;
     pass.push(constants).estimated_duration_us(point_us).dispatch_over_page(size.x, size.y, count);
     return height;

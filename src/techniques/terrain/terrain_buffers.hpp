@@ -20,7 +20,8 @@ namespace estampe::terrain {
 
 /// How the GPU evaluates the height graph.
 enum class HeightSource : uint8_t {
-    /// A shader compiled for this graph evaluates it; falls back to `interpreted` if there is no compiler.
+    /// A shader that is compiled for the height graph evaluates the graph; falls back to `interpreted` if
+    /// there is no compiler.
     compiled,
     interpreted,       ///< a general shader interprets the graph: slower, but ready immediately
     compiled_meanwhile ///< interprets the graph until a background thread has compiled its shader
@@ -42,7 +43,7 @@ struct TerrainMoment {
     std::optional<double> before_s;
 };
 
-/// Position of the terrain's vertices in the buffer of all meshes: they start at `first_vertex`.
+/// Position of the terrain's vertices in the buffer of all meshes: the vertices start at `first_vertex`.
 struct TerrainTarget {
     uint32_t first_vertex = 0;
     double stroke_unit_m = 1.0;
@@ -58,7 +59,7 @@ public:
     TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target,
                    const ObjectTriangles& object = {});
 
-    /// Sets another height graph, or other numbers in the graph. Changes of the mesh must also be passed to
+    /// Replaces the height graph, or changes numbers in the graph. Changes of the mesh must also be passed to
     /// set_mesh(). Throws Error and changes nothing if the graph does not fit on the device.
     void set_graph(gpu::Device& device, const Terrain& terrain);
 
@@ -100,9 +101,9 @@ public:
 
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
-    /// Computes the ground's heights above the anchor on several fields: r32f, `size` texels per field,
-    /// stacked vertically. Leaves out details that are too fine for a field. Texels outside `wanted` get a
-    /// very low height.
+    /// Computes the ground's heights above the anchor (a nearby origin) on several fields: r32f, `size`
+    /// texels per field, stacked vertically. Leaves out details that are too fine for a field. Texels outside
+    /// `wanted` get a very low height.
     ///
     /// Cost    one dispatch, one thread per texel
     [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,
@@ -135,7 +136,7 @@ private:
     gpu::Buffer places_; ///< positions of vertices that are in no grid
     bool has_places_ = false;
     std::future<CompiledShaders> compiling_;
-    /// The terrain whose shader is being compiled; may be an older terrain than the current one.
+    /// The terrain whose shader is being compiled; may be an older terrain than the current terrain.
     std::optional<Terrain> compiling_of_;
     /// Shaders of the current height graph; none while it is interpreted.
     std::optional<CompiledShaders> compiled_;

@@ -2,9 +2,9 @@
 #pragma once
 
 // Transparent surfaces (glTF's BLEND), in one of two modes. In the mode `ink`, the surfaces in front of solid
-// ones are composited into one colour and outlined. They colour the wash, and move the darkness of the
-// strokes behind them towards their own darkness, in proportion to their coverage. In the mode `sorted`, each
-// surface is lit and painted like a solid one, in depth order.
+// ones are composited into one colour and outlined. The composited surfaces colour the wash, and move the
+// darkness of the strokes behind them towards their own darkness, in proportion to their coverage. In the
+// mode `sorted`, each surface is lit and painted like a solid one, in depth order.
 
 #include <array>
 #include <optional>

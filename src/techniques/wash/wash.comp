@@ -65,9 +65,9 @@ bool is_near_edge(float dark)
     return abs(dark - constants.shadow_from) < constants.softness + 0.026;
 }
 
-// Darkness of a pixel and its change to the neighbours. The smaller difference along each axis is used,
-// because the pixel on the other side may belong to another surface. One loop covers the pixel and its
-// neighbours; most subgroups leave the loop after the first iteration.
+// Darkness of a pixel and its change to the neighbours. Of the differences to the two neighbours along an
+// axis, the smaller is used, because one neighbour may belong to another surface. One loop covers the pixel
+// and its neighbours; most subgroups leave the loop after the first iteration.
 Darkness darkness_around(ivec2 pixel)
 {
     ivec2 last = ivec2(frame.size_px) - 1;

@@ -23,7 +23,7 @@ struct WashConstants {
     float shadow_from;   // darkness of the drawing at which shadow begins
     float softness;      // half the width of the shadow's soft edge, in darkness
     float ground_shadow; // strength of shadow_tint on blank ground, 0 to 1
-    float detail;        // 0: the material's mean colour; 1: its texture
+    float detail;        // 0: the material's mean colour; 1: the material's texture
     float least;         // brightness towards which dark colours are lifted
     float strength;      // strength of the paint; 0: bare paper, 1: full colour
     float neutral;       // strength of the paint on grey materials, as a share

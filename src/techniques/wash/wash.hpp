@@ -37,7 +37,8 @@ struct WashInputs {
     gpu::ImageId light;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    gpu::ImageId screen; ///< colour and coverage of transparent surfaces; one texel if there are none
+    /// Colour and coverage of transparent surfaces; one texel without transparent surfaces.
+    gpu::ImageId screen;
     bool has_screen = false;
     gpu::ImageId background;    ///< wash of the background (sky), where no surface is visible
     bool has_background = true; ///< false: the background is bare paper

@@ -22,8 +22,8 @@ namespace estampe::motion_blur {
 [[nodiscard]] MotionBlurLayers add_own_blur(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page,
                                             const shared::MotionBlurConstants& constants);
 
-/// Lists of the vertices at the same position in one draw call. Such vertices move together even if their
-/// normals differ. `of_vertex` holds the start and length of each vertex's list in `members`.
+/// Lists of the vertices at the same position in one draw call. Vertices at the same position move together
+/// even if their normals differ. `of_vertex` holds the start and length of each vertex's list in `members`.
 struct CoincidentList {
     std::vector<glm::uvec2> of_vertex;
     std::vector<uint32_t> members;
@@ -34,8 +34,8 @@ struct CoincidentList {
 [[nodiscard]] CoincidentList list_coincident(std::span<const glm::vec3> places,
                                              std::span<const uint32_t> draw_of_vertex);
 
-/// A CoincidentList (vertices at the same position) on the device. It is made when a style uses it for the
-/// first time.
+/// A CoincidentList (vertices at the same position) on the device. The list is made when a style uses the
+/// list for the first time.
 struct CoincidentVertices {
     gpu::Buffer of_vertex;
     gpu::Buffer members;

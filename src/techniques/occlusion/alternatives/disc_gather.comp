@@ -37,7 +37,7 @@ layout(scalar, binding = 4) writeonly buffer Open
 
 layout(scalar, binding = 5) writeonly buffer Bounced
 {
-    vec4 bounced[]; // per vertex: light that discs bounce onto it
+    vec4 bounced[]; // light that discs bounce onto each vertex
 };
 
 void main()

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_DISC_SUM
 #define ESTAMPE_DISC_SUM
 
-// Occlusion of a place by discs, and the light that they bounce onto it. Define before: DISCS_BINDING, the
-// binding of the tree's texels (the discs' colours are at the next binding); DISCS_BOUNCE, whether to sum
-// bounced light; `constants`, which holds DiscConstants.
+// Occlusion of a place by discs, and the light that the discs bounce onto the place. Define before:
+// DISCS_BINDING, the binding of the tree's texels (the discs' colours are at the next binding); DISCS_BOUNCE,
+// whether to sum bounced light; `constants`, which holds DiscConstants.
 
 #include "techniques/occlusion/alternatives/discs.glsl.h"
 
@@ -38,9 +38,9 @@ float facing_area(Disc disc, vec3 way)
     return max(0.5f * (both_sides + along), 0.0f);
 }
 
-// Occlusion by one disc at `way` from a receiver with this normal: the form factor A cos cos / (pi r^2 + A),
-// faded to 0 at `radius_m`. A is the disc's area and r its distance; the cosines are those of the angles at
-// both ends.
+// Occlusion of a receiver by one disc; the vector `way` leads from the receiver to the disc. The occlusion is
+// the disc's form factor, faded to 0 at the distance `radius_m`. The form factor depends on the disc's area,
+// its distance, and the angles between `way` and the normals of receiver and disc.
 float hidden_by_disc(Disc disc, vec3 way, vec3 normal, float radius_m)
 {
     float r_2 = dot(way, way);
@@ -82,7 +82,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
             sum.bounced += hidden * texelFetch(disc_colors, int(first + node)).rgb;
         }
         // The traversal of the tree moves to the first child, or to the next node. After a parent's last
-        // child, it moves up.
+        // child, the traversal moves up.
         bool goes_down = goes_on && !is_whole;
         bool goes_past = goes_on && is_whole;
         level -= goes_down ? 1u : 0u;
@@ -97,7 +97,7 @@ DiscSum sum_of_discs(vec3 place, vec3 normal, bool is_there)
         }
         goes_on = goes_on && !(level == top && node >= constants.counts[top]);
     } while (subgroupAny(goes_on));
-    // Occlusion cannot exceed 1. If the sum does, the bounced light is scaled down with it.
+    // Occlusion cannot exceed 1. If the sum exceeds 1, the sum and the bounced light are both scaled down.
     sum.bounced /= max(sum.hidden, 1.0);
     return sum;
 }

@@ -20,13 +20,13 @@ struct Disc {
 };
 
 // The tree of discs and the settings of the sum. The tree's levels are stored one after another, discs first;
-// level i has `counts[i]` nodes.
+// the level with the index i has `counts[i]` nodes.
 struct DiscConstants {
     uint counts[most_disc_levels];
     uint level_count;
     uint level;     // tree level that the pass computes
-    float radius_m; // discs farther away than this are ignored
-    float apart;    // a node counts as one disc if its radius is less than this share of its distance
+    float radius_m; // largest distance of a disc that occludes, in metres
+    float apart;    // a tree node counts as one disc if its radius is less than `apart` times its distance
     float strength; // exponent of the visibility, used in passes over pixels
     float bleeding; // factor on bounced light, used in passes over pixels
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ambient occlusion between discs, one per vertex, so that invisible surfaces occlude too. Computed per
-// vertex, per pixel, or per texel of a map of all surfaces.
+// Ambient occlusion between discs, one per vertex, so that invisible surfaces also occlude. The occlusion is
+// computed per vertex, per pixel, or per texel of a map of all surfaces.
 
 #include <optional>
 #include <span>
@@ -56,12 +56,12 @@ struct DiscBuffers {
 
 [[nodiscard]] DiscBuffers upload_discs(gpu::Device& device, const DiscList& list, uint32_t vertex_count);
 
-/// A node of the tree counts as one disc if its radius is less than this share of its distance.
+/// A node of the tree counts as one disc if the node's radius is less than `apart` times its distance.
 inline constexpr float usual_apart = 0.35F;
 
 /// Settings of the sum over occluding discs.
 struct DiscSettings {
-    float radius_m = 1.0F; ///< discs farther away than this are ignored
+    float radius_m = 1.0F; ///< largest distance of a disc that occludes, in metres
     float apart = usual_apart;
     bool bounces = false; ///< the sum includes bounced light
 };
@@ -72,14 +72,14 @@ struct VertexOcclusion {
     std::optional<gpu::BufferId> bounced; ///< bounced light, four floats per vertex
 };
 
-/// Adds passes that compute each vertex's ambient visibility: 1 minus the sum of A cos cos / (pi r^2 + A)
-/// over all discs that face the vertex, where A is a disc's area and r its distance. Each term fades to 0 at
-/// the radius. Bounced light is the same sum, with each term multiplied by its disc's colour. Requires disc
-/// colours for bounced light.
+/// Adds passes that compute each vertex's ambient visibility: 1 minus the sum of the form factors of all
+/// discs that face the vertex. A disc's form factor depends on its area, its distance and the angles at both
+/// ends, and fades to 0 at the radius. For bounced light, each form factor in the sum is multiplied by the
+/// disc's colour. Requires disc colours for bounced light.
 ///
 /// Returns one float per posed vertex; 1 for vertices without a disc
-/// Cost    about n log n, and a small dispatch for each level of the tree; n^2 if `apart` is 0, which
-///         evaluates each disc by itself
+/// Cost    for n discs about n log n, and a small dispatch for each level of the tree; n^2 if `apart` is 0,
+///         because then every vertex evaluates every disc
 /// Source  Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.4;
 ///         Bunnell, "Dynamic Ambient Occlusion and Indirect Lighting", GPU Gems 2, 2005
 [[nodiscard]] VertexOcclusion add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
@@ -88,7 +88,8 @@ struct VertexOcclusion {
 /// Adds a pass that sums the occlusion by discs per pixel. The result is the same as if every disc were
 /// drawn over all pixels within its radius.
 ///
-/// Cost    one full-screen dispatch, proportional to the logarithm of the discs: 40 ms and more on a CPU
+/// Cost    one full-screen dispatch, proportional to the logarithm of the number of discs; takes 40 ms or
+///         more on a CPU
 /// Source  as add_discs()
 [[nodiscard]] AmbientOcclusion add_disc_splats(gpu::Graph& graph, DiscBuffers& buffers,
                                                gpu::BufferId posed_vertices, const OcclusionInputs& in,
@@ -117,7 +118,7 @@ struct DiscMapInputs {
 /// is kept until something moves.
 ///
 /// Returns four floats per texel, row by row, in the layout of DiscMapBuffers::found
-/// Cost    texels times the logarithm of the discs, and the tree
+/// Cost    the number of texels times the logarithm of the number of discs, and the tree
 /// Source  as add_discs(); into a texture as in the thesis
 [[nodiscard]] gpu::BufferId add_disc_map(gpu::Graph& graph, DiscBuffers& discs, DiscMapBuffers& map,
                                          const DiscMapInputs& in, const DiscSettings& settings);

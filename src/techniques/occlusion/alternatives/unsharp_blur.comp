@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per pixel of the half page (every second pixel) takes a Gaussian mean of depths along a row or a
-// column. On a plane, reversed depth is linear over the page, so a plane equals its own mean. Taps (samples)
-// count in pairs, so that this also holds at the page's edge.
+// column. On a plane, reversed depth is linear over the page, so a plane equals its own mean. Taps (depths
+// that are read) count in pairs, so that a plane also equals its own mean at the page's edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -35,10 +35,10 @@ layout(push_constant, scalar) uniform Constants
 // Order of the sampling directions in a pattern of 4 x 4 pixels, chosen so that neighbours differ most.
 const uint pattern_order[16] = uint[](0u, 8u, 2u, 10u, 12u, 4u, 14u, 6u, 3u, 11u, 1u, 9u, 15u, 7u, 13u, 5u);
 
-// Part of a slice (half plane through the view ray) that an occluder blocks, from front to back, as positions
-// over the hemisphere: 0 is the horizon on the other side. Uses the occluder's own slice instead of the
-// step's, because pixel centres lie beside the step's line; occluders in the surface's plane then lie exactly
-// at its horizon.
+// Part of a slice (half plane through the view ray) that an occluder blocks, from its front to its back. The
+// part is given as positions over the hemisphere; 0 is the horizon on the opposite side. The function uses a
+// slice through the occluder's pixel centre, because pixel centres lie beside the step's line. So occluders
+// in the surface's plane lie exactly at the surface's horizon.
 vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float thickness_m)
 {
     float z = dot(way, eye);
@@ -62,7 +62,7 @@ vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float thickness_m)
     return (other + light) / (other + here);
 }
 
-const float hides_from = 0.98; // an occluder beyond this position may be the surface itself
+const float hides_from = 0.98; // an occluder beyond the position 0.98 may be the surface itself
 
 void main()
 {

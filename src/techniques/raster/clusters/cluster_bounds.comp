@@ -47,7 +47,7 @@ void bound_by_thread()
     }
     vec3 least = vec3(1e30);
     vec3 most = vec3(-1e30);
-    // The last cluster may have fewer triangles; its last triangle is then added repeatedly.
+    // The last cluster may have fewer triangles; the cluster's last triangle is then added repeatedly.
     for (uint i = 0u; i < cluster_triangles; ++i) {
         add_triangle(min(first + i, triangle_count - 1u), least, most);
     }

@@ -22,7 +22,7 @@ layout(push_constant, scalar) uniform Constants
     RasterConstants constants;
 };
 
-shared uint listed; // number of clusters that this workgroup adds to the list
+shared uint listed; // number of clusters that the workgroup adds to the list
 shared uint first;  // index in the list of the workgroup's first cluster
 
 void main()

@@ -6,7 +6,8 @@
 
 #include "techniques/raster/raster.glsl.h"
 
-// Whether some corner of the box lies on the inner side of a plane, where dot(plane, (p, 1)) >= 0.
+// Whether some corner of the box lies on the inner side of a plane, where the plane's equation gives 0 or
+// more.
 bool reaches_side(vec3 centre, vec3 half_size, vec4 plane)
 {
     return dot(plane.xyz, centre) + plane.w + dot(abs(plane.xyz), half_size) >= 0.0;

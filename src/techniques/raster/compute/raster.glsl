@@ -4,10 +4,10 @@
 
 #include "techniques/raster/raster.glsl.h"
 
-// Rasterisation in compute shaders: exact integer edge functions on positions snapped to 1/256 pixel with the
-// top-left rule, so that triangles with a shared edge never overlap and never leave a gap. The winner of a
-// pixel is the largest 64-bit value (reversed depth in the high half, triangle number in the low half), which
-// does not depend on the order of execution.
+// Rasterisation in compute shaders. Edge functions are exact integers, computed from positions snapped to
+// 1/256 pixel, with the top-left rule. So triangles with a shared edge never overlap and never leave a gap.
+// The winner of a pixel is the largest 64-bit value: reversed depth in the high half, triangle number in the
+// low half. So the winner does not depend on the order of execution.
 
 const int tile_px = int(raster_tile_px); // signed integer, for arithmetic with positions
 
@@ -105,7 +105,8 @@ ivec2 place_of_tile(uint part_and_tile)
 #endif
 
 const float subpixels = 256.0;
-// 2^21 pixels: differences of positions up to this limit fit 32 bits, and edge functions fit 64 bits.
+// Limit of 2^21 pixels for differences of positions: smaller differences fit 32 bits, and their edge
+// functions fit 64 bits.
 const float guard_px = 2097152.0;
 
 // A triangle on the page: positions in 1/256 pixel, y down, ordered so that its area is positive.
@@ -119,8 +120,8 @@ struct ClippedTriangle {
     int count;
 };
 
-// Clips a triangle against the near plane (w - z >= 0). New corners are always computed from the inside
-// outwards, so that both triangles of a shared edge get identical bits.
+// Clips a triangle against the near plane, where the clip coordinates w and z are equal. New corners are
+// always computed from the inside outwards, so that both triangles of a shared edge get identical bits.
 ClippedTriangle clip_near(vec4 a, vec4 b, vec4 c)
 {
     vec4 corner[3] = vec4[3](a, b, c);
@@ -413,14 +414,14 @@ void list_tile(PageTriangle t, ivec2 low, ivec2 high, ivec2 tile, uint part, uin
     }
 }
 
-// First pass over the triangles: one thread draws one small triangle, lists the tiles of a triangle that
-// touches few tiles, or puts a large triangle into a list.
+// First pass over the triangles, with one thread per triangle. The thread draws a small triangle, lists the
+// tiles of a triangle that touches few tiles, or puts a large triangle into a list.
 
 #ifndef RASTER_MASKED
 layout(constant_id = 0) const uint variant = 0u;
 #endif
 
-const int small_side_px = 63; // triangles up to this side in pixels have edge functions that fit 32 bits
+const int small_side_px = 63; // side in pixels up to which a triangle's edge functions fit 32 bits
 const int most_tiles_a_thread = 4;
 
 void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangle, uint flags)
@@ -455,8 +456,8 @@ void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangl
         return;
     }
 #ifdef RASTER_VIEWS
-    // A list for all triangles in all views would be too long. The thread draws triangles that do not fit
-    // into it, which is slow but leaves nothing out.
+    // A list with room for all triangles in all views would be too long. The thread draws triangles that do
+    // not fit into the list, which is slow but leaves nothing out.
     for (int x = low.x; x <= high.x; ++x) {
         fill_column(t, ivec2(x, low.y), high.y, 1, triangle);
     }

@@ -19,7 +19,7 @@ layout(scalar, binding = 6) readonly buffer Clusters
     uint clusters[]; // list of clusters in the format of tiles.glsl.h: one workgroup per cluster
 };
 
-// Number of this thread's triangle within the batch; beyond the batch's end if there is no triangle for this
+// Number of the thread's triangle within the batch; beyond the batch's end if there is no triangle for the
 // thread.
 uint triangle_of_thread()
 {

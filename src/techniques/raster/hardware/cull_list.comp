@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One workgroup lists the triangles whose bits are set, in order, and writes the number of corners to draw.
-// Each thread counts a range of words, and lists its triangles after those of the previous threads.
+// Each thread counts a range of words, and lists its triangles after the triangles of the previous threads.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -17,7 +17,7 @@ layout(scalar, binding = 2) writeonly buffer Kept
 
 layout(constant_id = 0) const uint variant = 0u;
 
-// Hardware rasterisers move corners by less than this when they snap them.
+// Upper limit of the distance by which a hardware rasteriser moves a corner when it snaps the corner.
 const float snapped_px = 1.0 / 64.0;
 
 vec2 place_px(vec4 clip)
@@ -25,8 +25,8 @@ vec2 place_px(vec4 clip)
     return (0.5 * clip.xy / clip.w + 0.5) * vec2(constants.size_px);
 }
 
-// Bounds of twice the area of a triangle on the page, positive if its corners run clockwise: minimum and
-// maximum over all positions to which the corners may be snapped.
+// Minimum and maximum of twice a triangle's area on the page, over all positions to which the corners may be
+// snapped. The area is positive if the corners run clockwise.
 vec2 double_area(vec2 p, vec2 q, vec2 r)
 {
     vec2 u = q - p;
@@ -36,7 +36,7 @@ vec2 double_area(vec2 p, vec2 q, vec2 r)
 }
 
 // Whether a triangle may be visible. False if all corners are outside one side of the page or the near plane,
-// if no pixel centre is in the triangle's bounding box, or if it is a culled back face.
+// if no pixel centre is in the triangle's bounding box, or if the triangle is a culled back face.
 bool may_be_seen(vec4 a, vec4 b, vec4 c, uint flags)
 {
     vec3 x = vec3(a.x, b.x, c.x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup per cluster, one thread per triangle: loads a triangle's corners once, and draws the triangle
-// into each view that may show the cluster.
+// One workgroup handles one cluster, one thread handles one triangle. The thread loads the triangle's corners
+// once, and draws the triangle into each view that may show the cluster.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

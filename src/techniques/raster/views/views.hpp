@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Draws many depth maps together, as local lights need them: all views in one set of dispatches or one draw
-// call, and only the triangles that a view may show.
+// Draws many depth maps together, as local lights need them. All views are drawn in one set of dispatches or
+// one draw call, with only the triangles that a view may show.
 
 #include <optional>
 #include <vector>
@@ -28,8 +28,8 @@ struct DepthViews {
     gpu::BufferId bounds;                  ///< boxes of the triangles' clusters, from add_cluster_bounds()
     RasterPath path = RasterPath::compute; ///< raster path for the views; never automatic
     Tuning tuning;
-    /// Tiles of the views that will be read later. Outside these tiles, the compute path does not clear the
-    /// old content before it draws.
+    /// Tiles of the views that will be read later. Outside the listed tiles, the compute path does not clear
+    /// the old content before it draws.
     std::optional<ViewTiles> tiles = std::nullopt;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per texel and height field: walks a ray towards the sun's centre, one texel per step, until the
-// ground is above the ray.
+// One thread handles one texel of one height field. The thread follows a ray towards the sun's centre, one
+// texel per step, until the ground is above the ray.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

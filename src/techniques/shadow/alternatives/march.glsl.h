@@ -7,7 +7,7 @@ namespace estampe::shared {
 #endif
 
 struct MarchConstants {
-    uvec2 size;    // size of each height field in texels; the fields are stacked vertically in the image
+    uvec2 size;    // size of each height field in texels; all fields are stacked vertically in one image
     vec2 sunwards; // one step of the ray towards the sun, in texels
     float rise;    // rise of the ray towards the sun, as height per level distance
     uint step_count;

@@ -13,8 +13,9 @@ namespace estampe::shadow {
 [[nodiscard]] gpu::ImageId add_march(gpu::Graph& graph, const HeightShadowInputs& in,
                                      const HeightFields& fields, const HeightShadowStyle& style);
 
-/// Blurs the shares of the sun of each field with a Gaussian of `style.blur_m`, within the field. Returns
-/// `shares` itself for a blur of 0. Cost: two dispatches, 5 deviations of texels per texel and dispatch.
+/// Blurs the shares of the sun's visible disc in each height field with a Gaussian of the deviation
+/// `style.blur_m`. The blur of a field reads no other field. Returns `shares` itself for a blur of 0. Cost:
+/// two dispatches, for each texel, a dispatch reads the texels within 2.5 deviations to either side.
 [[nodiscard]] gpu::ImageId add_blur(gpu::Graph& graph, const HeightShadowInputs& in,
                                     const HeightFields& fields, const HeightShadowStyle& style,
                                     gpu::ImageId shares);

@@ -9,7 +9,8 @@
 namespace estampe::shadow {
 namespace {
 
-/// A plane with an inside: points p with dot(normal, p) + offset >= 0.
+/// A plane with an inner side: a point is inside if the dot product of `normal` and the point, plus `offset`,
+/// is at least 0.
 using Plane = glm::dvec4;
 
 /// Planes of the eye's frustum: its sides and the near plane.
@@ -105,8 +106,8 @@ SunView warped_view(const SunMapScene& scene)
         along.extend(glm::dot(point, down));
         away.extend(glm::dot(point - glm::dvec3(eye.eye_anchor), forward));
     }
-    // This near distance makes the error along the eye's direction equal at the near and the far end (Wimmer
-    // et al.).
+    // The chosen near distance makes the error along the eye's direction equal at the near and the far end of
+    // the view (Wimmer et al.).
     const double depth_m = std::max(along.high - along.low, 1e-6);
     const double seen_m = std::clamp(scene.nearest_m, std::max(away.low, 0.0), std::max(away.high, 0.0));
     const double near_m = (seen_m + std::sqrt(seen_m * std::max(away.high, 0.0))) / sine;

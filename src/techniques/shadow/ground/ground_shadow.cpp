@@ -95,7 +95,8 @@ shared::FieldSector sunward_of(const shared::FieldSector& sector, const glm::dve
 {
     shared::FieldSector sunward = sector;
     for (int line = 0; line < 2; ++line) {
-        // Texels towards the sun lie beyond this side of the sector, so the side does not limit them.
+        // Texels towards the sun lie beyond the sector's sunward side, so that side does not limit the
+        // texels.
         const bool leaves = glm::dot(sector.sides[line], glm::vec2(towards_sun.x, towards_sun.z)) < 0.0F;
         sunward.sides[line] = leaves ? glm::vec2(0.0F) : sector.sides[line];
         for (glm::vec2& offset : sunward.offsets) {

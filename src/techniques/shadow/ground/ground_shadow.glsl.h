@@ -15,7 +15,8 @@ SHARED_CONSTANT uint ground_levels = 5U;
 // Bit of the share pass's variant: fields hold the visible share of the sun in place of the horizon.
 SHARED_CONSTANT uint ground_keeps_shares = 1U;
 
-// One field of ground heights, in anchor space; origin_m is the centre of its first texel.
+// One field of ground heights, in anchor space (relative to a nearby origin); `origin_m` is the centre of the
+// field's first texel.
 struct GroundLevel {
     vec2 origin_m;
     float texel_m;

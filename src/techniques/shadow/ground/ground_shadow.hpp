@@ -16,8 +16,8 @@ namespace estampe::shadow {
 using GroundLevels = std::array<shared::GroundLevel, shared::ground_levels>;
 
 /// Places ground fields of `size` texels per side around an eye. The finest field has texels of `texel_m`;
-/// each next field is four times as coarse. Fields are shifted towards the sun, because shadows come from
-/// there. Fields follow the eye in steps of 16 texels.
+/// each next field is four times as coarse. Fields are shifted towards the sun, because occluders of sunlight
+/// lie there. Fields follow the eye in steps of 16 texels.
 [[nodiscard]] GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anchor_m,
                                                const glm::dvec3& towards_sun, uint32_t size, double texel_m);
 
@@ -37,12 +37,14 @@ struct GroundSight {
 [[nodiscard]] shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& levels,
                                               const LevelNumbers& numbers);
 
-/// The texels towards the sun from `sector`, whose heights determine the horizons of its texels.
+/// The texels that lie towards the sun from `sector`. The heights of the sunward texels determine the
+/// horizons of the texels in `sector`.
 [[nodiscard]] shared::FieldSector sunward_of(const shared::FieldSector& sector,
                                              const glm::dvec3& towards_sun);
 
 struct GroundFields {
-    gpu::ImageId height; ///< r32f, metres above the anchor: stacked square fields, one per entry of `numbers`
+    /// R32f, metres above the anchor (a nearby origin): stacked square fields, one per entry of `numbers`.
+    gpu::ImageId height;
     LevelNumbers numbers;
     const GroundLevels& levels; ///< position and texel size of all fields, not only of `numbers`
     uint32_t size = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per texel: walks towards the sun from cell to cell of the pyramid. Skips cells that cannot raise
-// the horizon, and stops where the horizon no longer affects the sun.
+// One thread handles one texel: it walks towards the sun from cell to cell of the pyramid (grids of maximum
+// heights). Skips cells that cannot raise the horizon, and stops where the horizon no longer affects the sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

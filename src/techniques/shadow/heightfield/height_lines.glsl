@@ -3,8 +3,8 @@
 #define ESTAMPE_SWEEP_LINES
 
 // Positions where the lines of a height-field sweep cross the field, see height_shadow.glsl.h. Integer
-// arithmetic gives identical positions in all shaders. The functions apply to this thread's field. Requires
-// `sweep`, a SweepConstants, and height_image.
+// arithmetic gives identical positions in all shaders. The functions apply to the height field of the calling
+// thread. Requires `sweep`, a SweepConstants, and height_image.
 
 // Number of steps of the sweep over the field.
 uint step_total()
@@ -24,8 +24,8 @@ int moved_across(uint step)
     return (sweep.slope * int(step)) >> 16;
 }
 
-// Fractional part of the distance that the sweep's lines have moved sideways: line c of the step is at c - 1
-// + fraction texels.
+// Fractional part of the distance that the sweep's lines have moved sideways. In each step, the line number c
+// is at the texel position c - 1 + fraction.
 float fraction_across(uint step)
 {
     return float((sweep.slope * int(step)) & 0xffff) / 65536.0;

@@ -2,7 +2,8 @@
 #ifndef ESTAMPE_HEIGHT_PYRAMID
 #define ESTAMPE_HEIGHT_PYRAMID
 
-// Positions of a pyramid level's cells and of texels in this thread's height field; see height_shadow.glsl.h.
+// Positions of a pyramid level's cells and of texels in the height field of the calling thread; see
+// height_shadow.glsl.h.
 
 ivec2 cells_of_level(uint level)
 {

@@ -31,7 +31,7 @@ layout(constant_id = 0) const uint variant = 0u;
 #include "shaders/sun_disc.glsl"
 #include "techniques/shadow/heightfield/height_lines.glsl"
 
-// Slope from line `c` of a sweep's step up to its horizon; never negative.
+// Slope from the line number `c` of a sweep's step up to the line's horizon; never negative.
 float horizon_slope(uint step, int c)
 {
     uint seen = seen_step[cell_of(step, c)];

@@ -47,8 +47,8 @@ namespace {
 /// The number that is written per texel: the sun's visibility, or the horizon's height above the sun.
 enum class Written : uint32_t { visibility, horizon };
 
-/// Most loop rounds per line in one dispatch, including rounds that remove steps from the line's convex hull,
-/// because lavapipe stops a thread after 65535 rounds.
+/// Most loop rounds per line in one dispatch, including rounds that remove steps from the line's convex hull.
+/// The limit exists because lavapipe stops a thread after 65535 rounds.
 constexpr uint32_t steps_a_dispatch = 2048;
 
 shared::SweepConstants sweep_constants(const HeightFields& fields)

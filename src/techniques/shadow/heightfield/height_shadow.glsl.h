@@ -15,9 +15,9 @@ SHARED_CONSTANT uint height_no_step = 0xffffffffU;
 SHARED_CONSTANT uint height_fields_most = 5U;
 
 // Constants of a sweep along lines that run away from the sun, one texel per step along one side of the
-// field. Step t is a row or column, counted from the sun's side. At step t every line has moved sideways by
-// slope * t, so all lines cross the row at one common fraction of a texel. The number of lines across a step
-// is the field's number of texels plus one.
+// field. A step is one row or one column; steps are counted from the sun's side. In each step all lines move
+// sideways by one common distance. So all lines cross a row at one common fraction of a texel. The number of
+// lines across a step is the field's number of texels plus one.
 struct SweepConstants {
     uvec2 size;         // size of a field in texels
     uint steps_along_y; // 1: steps of the sweep are rows; 0: steps are columns
@@ -41,8 +41,8 @@ struct ResolveConstants {
 };
 
 // Pyramid of maximum heights in one image. A cell of level 0 covers the square between four texels. Level 1
-// is to the right of level 0, and each further level k is below level k - 1. The next field starts `rows`
-// further down.
+// is to the right of level 0, and each further level is below the level before. The pyramid of the next
+// height field starts `rows` further down.
 struct PyramidConstants {
     uvec2 cells;      // number of pyramid cells of level 0
     uint level;       // pyramid level to compute, or the topmost level

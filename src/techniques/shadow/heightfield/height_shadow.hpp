@@ -20,7 +20,7 @@ enum class HeightMethod : uint8_t {
              ///< ground seen from straight above
 };
 
-/// Whether a method blurs shares of the sun, so that it knows no horizons.
+/// Whether a method blurs shares of the sun, and therefore computes no horizons.
 [[nodiscard]] constexpr bool blurs(HeightMethod method)
 {
     return method == HeightMethod::march || method == HeightMethod::above;
@@ -65,10 +65,11 @@ struct HeightShadowInputs {
                                              const HeightShadowStyle& style = {});
 
 /// Adds passes that compute the height of the horizon above the sun's centre in radians, negative below:
-/// r16f, most precise near 0. To draw shadow edges finer than texels, sample it with linear filtering, divide
-/// by the sun's radius, and pass it to `share_of_disc` of shaders/sun_disc.glsl. Supports sweep and pyramid;
-/// methods that blur have no horizon and throw std::logic_error. With pyramid the values are limited to 0.15
-/// rad or 16 sun radii from the sun's centre. Costs as much as add_height_shadow().
+/// r16f, most precise near 0. To draw shadow edges finer than texels, sample the image of horizons with
+/// linear filtering, divide the value by the sun's radius, and pass the result to the function
+/// `share_of_disc` of shaders/sun_disc.glsl. Supports sweep and pyramid; methods that blur have no horizon
+/// and throw std::logic_error. With pyramid the values are limited to 0.15 rad or 16 sun radii from the sun's
+/// centre. Costs as much as add_height_shadow().
 [[nodiscard]] gpu::ImageId add_height_horizon(gpu::Graph& graph, const HeightShadowInputs& in,
                                               const HeightShadowStyle& style = {});
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One thread walks one line away from the sun. For each step it finds the earlier step that appears highest
-// from there. The earlier steps form a convex hull. Each step stores the hull's next step towards the sun, so
-// that the results also serve as the stack. Each step is removed from the hull at most once.
+// from the current step. The earlier steps form a convex hull. Each step stores the hull's next step towards
+// the sun, so that the results also serve as the stack of the hull's steps. Each step is removed from the
+// hull at most once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -17,7 +17,7 @@ struct MapPlace {
     uint first_texel;
 };
 
-// Finds the map that covers the direction `from_light`, and the point's position in this map.
+// Finds the map that covers the direction `from_light`, and the point's position in the found map.
 MapPlace map_place(LocalShadow shadow, vec3 from_light)
 {
     MapPlace place;
@@ -56,8 +56,8 @@ float local_depth_at(LocalShadow shadow, uint first_texel, ivec2 texel)
 
 // Distance by which a point is lifted along its normal before a shadow map lookup, so that its own surface
 // does not shadow it. All texels of a lookup are at most one texel away from the point in either direction.
-// Over these texels the depth of the surface's plane varies by at most what a lift of texel * (|n.right| +
-// |n.down|) compensates. The rest allows for rounding and smoothed normals.
+// Within one texel in both directions, the depth of the surface's plane changes; most of the lift compensates
+// the largest change. The rest of the lift allows for rounding and smoothed normals.
 float lift_m(MapPlace place, LocalShadow shadow, vec3 normal)
 {
     float texel_m = texel_width(shadow) * max(place.along_m, 0.0);
@@ -98,15 +98,16 @@ MapPlace lifted_place(LocalShadow shadow, vec3 from_light, vec3 normal)
     return place;
 }
 
-// Share of a point light at `light_position` that arrives at a point of anchor space.
+// Share of a point light at `light_position` that arrives at a point of anchor space (relative to a nearby
+// origin).
 float local_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
 {
     return compare_at(shadow, lifted_place(shadow, point - light_position, normal));
 }
 
 // A disc around a point in shadow lookups, perpendicular to the light's direction. A tap (one texel read)
-// compares with the surface's plane, but never farther from the light than the disc: an object behind the
-// disc cannot block the light.
+// compares the texel's depth with the surface's plane, but never farther from the light than the disc. An
+// object behind the disc cannot block the light.
 struct LampDisc {
     vec3 from_light;
     vec3 right;
@@ -128,8 +129,8 @@ float nearer_by(LampDisc disc, vec3 on_disc)
     return height / min(dot(disc.normal, on_disc), height);
 }
 
-// Result of one texel read: distance of the blocker as a share of the distance from light to disc, and
-// whether the blocker is in front of the surface's plane.
+// Result of one texel read. First: the distance of the blocker as a share of the distance from light to disc.
+// Second: whether the blocker is in front of the surface's plane.
 struct Blocker {
     float share;
     bool blocks;
@@ -156,7 +157,7 @@ Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
 }
 
 // Half widths in metres of penumbrae (soft shadow edges) that contain the point or are next to it; 0 if there
-// are none.
+// are no penumbrae.
 struct Penumbra {
     float mean_m;
     float widest_m;
@@ -184,7 +185,7 @@ Penumbra local_penumbra(LocalShadow shadow, vec3 light_position, vec3 point, vec
         bool counts = blocker.blocks && length(aside) <= half_breadth_m + texel_m;
         sum += counts ? half_breadth_m : 0.0;
         found += counts ? 1.0 : 0.0;
-        // Blockers a bit farther out count too, because the search may have missed parts between two reads.
+        // Blockers a bit farther out also count, because the search may have missed parts between two reads.
         bool is_near = blocker.blocks && length(aside) <= 2.0 * half_breadth_m + texel_m;
         widest_m = is_near ? max(widest_m, half_breadth_m) : widest_m;
     }
@@ -203,9 +204,9 @@ const uint lamp_directions = 24u;
 
 // Rings of a light that are hidden along one direction from its centre. A blocker at share s of the distance,
 // seen through a place on the disc, hides the opposite side of the light, at s / (1 - s) times the place's
-// distance from the centre. A continuous blocker between two places hides everything between the two points.
-// After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006; bit masks
-// after Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
+// distance from the centre. A continuous blocker between two places hides everything between the two hidden
+// points of the light. After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by
+// Backprojection", 2006; bit masks after Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
 uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float widest_m, uint direction)
 {
     const uint count = 6u;

@@ -2,19 +2,21 @@
 #ifndef ESTAMPE_TEETH
 #define ESTAMPE_TEETH
 
-// The curve of a toothed shadow edge over a coordinate v: one tooth per hatching line.
+// The curve of a toothed shadow edge over the coordinate v across the hatching lines: one tooth (small
+// stroke) per line.
 
 #include "shaders/lines.glsl"
 
-// Length of the tooth of one line in a shadow edge, up to 1.
+// Length, up to 1, of the tooth (small stroke) of one hatching line at a shadow edge.
 float tooth_length(LineField field, Lines lines, int number, uint seed, float variety)
 {
     return 1.0f - variety * trait(line_identity(field, lines, number, seed), 8u);
 }
 
-// Curve of teeth on lines that are `stride` half spacings apart: a cosine with its maxima on the lines. Each
-// maximum is as high as its line's tooth. Between two lines the cosine is as deep as their mean height, so
-// that the area added to the shadow equals the area removed.
+// Curve of shadow edge teeth (small strokes) on hatching lines that are `stride` half spacings apart: a
+// cosine with its maxima on the lines. Each maximum is as high as its line's tooth. Between two lines the
+// cosine is as deep as the mean height of the two teeth, so that the area added to the shadow equals the area
+// removed.
 float comb(LineField field, Lines lines, int stride, uint seed, float variety)
 {
     float x = 2.0f * field.v / (lines.spacing * float(stride));
@@ -27,8 +29,9 @@ float comb(LineField field, Lines lines, int stride, uint seed, float variety)
     return height * (height > 0.0f ? own : 0.5f * (own + other));
 }
 
-// Displacement of a shadow edge by its teeth, -1 to 1, with mean 0; positive on lines of this width and
-// darkness. As the eye comes nearer, new teeth grow between the old teeth, as hatching strokes do.
+// Displacement of a shadow edge by its teeth, -1 to 1, with mean 0; positive on hatching lines, which have
+// the given width and darkness. As the eye comes nearer, new teeth (small strokes) grow between the old
+// teeth, as new hatching strokes do.
 float tooth(LineField field, uint seed, float width_px, float darkness, float variety)
 {
     Lines lines = lines_of(field, width_px, darkness);

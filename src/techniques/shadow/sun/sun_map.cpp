@@ -78,8 +78,8 @@ double texel_m(const Clipmap& clipmap, uint32_t level)
     return std::ldexp(clipmap.finest_m, static_cast<int>(level));
 }
 
-/// The strip of texels that a level must draw after its window has moved by `by` to `low`; the strip's width
-/// is a power of two.
+/// The strip of texels that a clipmap level must draw after its window has moved by `by` to `low`. The
+/// strip's width is a power of two.
 Piece strip(uint32_t level, glm::ivec2 low, uint32_t size, int axis, int by)
 {
     const uint32_t breadth = std::min(std::bit_ceil(static_cast<uint32_t>(std::abs(by))), size);
@@ -89,7 +89,7 @@ Piece strip(uint32_t level, glm::ivec2 low, uint32_t size, int axis, int by)
     return piece;
 }
 
-/// Range of a level's texels in which a box is seen, with two texels of margin; may be infinite.
+/// Range of a clipmap level's texels in which a box is seen, with two texels of margin; may be infinite.
 std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level, const Bounds& place)
 {
     constexpr double beside_texels = 2.0;
@@ -108,7 +108,7 @@ std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level
     return {low - beside_texels, high + beside_texels};
 }
 
-/// The square of a level's window that contains the texels from `low` to `high`.
+/// The square of a clipmap level's window that contains the texels from `low` to `high`.
 Piece square_in(const Clipmap& clipmap, uint32_t level, const glm::ivec2& window, glm::ivec2 low,
                 const glm::ivec2& high)
 {
@@ -119,7 +119,8 @@ Piece square_in(const Clipmap& clipmap, uint32_t level, const glm::ivec2& window
     return {.level = level, .low = glm::min(low, last), .size = glm::uvec2(side)};
 }
 
-/// Texel of a level at which the picture of a square starts. The picture wraps around at its size.
+/// Texel of a clipmap level at which the picture of a square starts. The picture wraps around at the square's
+/// size.
 glm::ivec2 picture_low(const Clipmap& clipmap, const Piece& square)
 {
     return square.size.x == clipmap.size ? glm::ivec2(0) : square.low;
@@ -134,7 +135,7 @@ public:
     {
     }
 
-    /// Marks the tiles that contain texels of the level from `first` to before `end`.
+    /// Marks the tiles that contain texels of the clipmap level from `first` to before `end`.
     void mark(const glm::ivec2& first, const glm::ivec2& end)
     {
         const glm::ivec2 low = glm::max(first, low_);
@@ -183,7 +184,7 @@ private:
 Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m)
 {
     Clipmap clipmap{.view = view, .size = size};
-    // Least number of texels that a level's window covers on each side of the eye.
+    // Least number of texels that a clipmap level's window covers on each side of the eye.
     const double covered_texels = static_cast<double>(size) * (0.5 - 1.0 / steps_a_window) - 2.0;
     const double coarsest_m = std::max(2.0 * radius_m / covered_texels, 1e-9);
     int finest = static_cast<int>(std::floor(std::log2(std::max(finest_m, 1e-9))));
@@ -285,8 +286,8 @@ void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::spa
 
 std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
 {
-    // A level wraps around like a torus. The bit mask of its size, a power of two, also handles negative
-    // coordinates.
+    // A clipmap level wraps around like a torus. The bit mask of its size, a power of two, also handles
+    // negative coordinates.
     const glm::uvec2 first = glm::uvec2(piece.low) & (clipmap.size - 1U);
     const glm::uvec2 until_rim = glm::min(piece.size, clipmap.size - first);
     std::vector<PieceHome> parts;
@@ -306,7 +307,8 @@ std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
 
 glm::mat4 clip_from_sun(const Piece& piece)
 {
-    // Powers of two and whole texels keep floats exact, so the drawn texels do not depend on the piece.
+    // Powers of two and whole texels keep floats exact, so the drawn texels do not depend on the piece (the
+    // rectangle of texels to draw).
     const double scale = std::ldexp(1.0, -static_cast<int>(piece.level));
     glm::dmat4 clip(1.0);
     for (int axis = 0; axis < 2; ++axis) {
@@ -333,8 +335,8 @@ shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, flo
 
 namespace {
 
-/// A clipmap replaces the single shadow map if texels of the single map are larger than this many pixels near
-/// the eye.
+/// A clipmap replaces the single shadow map if texels of the single map are larger near the eye than the
+/// given number of pixels.
 constexpr double coarse_texel_px = 48.0;
 
 /// Side of a clipmap level in texels: a power of two such that `levels` of them fit into `most_bytes`.

@@ -21,7 +21,8 @@ namespace estampe::shadow {
 
 /// The parallel view from the sun that contains all casters.
 struct SunView {
-    /// Transform from anchor space; reversed z: 1 nearest to the sun, 0 farthest.
+    /// Transform from anchor space (relative to a nearby origin); reversed z: 1 nearest to the sun, 0
+    /// farthest.
     glm::mat4 clip_from_anchor{1.0F};
     glm::vec3 right{1.0F, 0.0F, 0.0F};
     glm::vec3 down{0.0F, 0.0F, 1.0F};
@@ -32,8 +33,8 @@ struct SunView {
     float depth_m = 1.0F;     ///< distance along the sun's direction that clip z from 0 to 1 covers
 };
 
-/// Fits the sun's view to `casters` (world space); points outside this box cannot be in shadow. `towards_sun`
-/// is a unit vector, `size` the map's side in texels. Empty casters give a view of one metre.
+/// Fits the sun's view to `casters` (world space); points outside the box `casters` cannot be in shadow.
+/// `towards_sun` is a unit vector, `size` the map's side in texels. Empty casters give a view of one metre.
 [[nodiscard]] SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dvec3& towards_sun,
                                uint32_t size);
 
@@ -44,9 +45,9 @@ struct SunView {
 inline constexpr uint32_t most_levels = shared::sun_levels;
 
 /// Depth maps of the sun's view in levels around the eye. Each level is twice as wide as the previous level
-/// and has as many texels: the clipmap of Tanner et al., "The Clipmap: A Virtual Mipmap", 1998, for depth.
-/// Texels are on lattices that are fixed to the world, so a level that moves with the eye keeps the part that
-/// it still covers. A level stores texel (x, y) at (x mod size, y mod size).
+/// and has an equal number of texels. The levels are the clipmap of Tanner et al., "The Clipmap: A Virtual
+/// Mipmap", 1998, with depths. Texels are on lattices that are fixed to the world, so a level that moves with
+/// the eye keeps the part that it still covers. A level stores texel (x, y) at (x mod size, y mod size).
 struct Clipmap {
     SunView view; ///< the sun's view of all casters, which defines direction and depth range
     double finest_m = 0.0;
@@ -67,7 +68,7 @@ using Windows = std::vector<glm::ivec2>;
 struct Piece {
     uint32_t level = 0;
     glm::ivec2 low{0};
-    glm::uvec2 size{0}; ///< size of the piece in texels; powers of two
+    glm::uvec2 size{0}; ///< size of the rectangle in texels; powers of two
 };
 
 /// Makes clipmap levels from texels of `finest_m`, rounded down to a power of two, up to a level that covers
@@ -79,35 +80,36 @@ struct Piece {
 /// eye. A window moves in steps of a sixteenth of its size.
 [[nodiscard]] Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor);
 
-/// Pieces of clipmap levels to draw after the windows moved: the strips that were uncovered, widened to
-/// powers of two. If `before` is empty, the whole of every level.
+/// Pieces (rectangles of texels) of clipmap levels to draw after the windows moved: the strips that were
+/// uncovered, widened to powers of two. If `before` is empty, every level is drawn as a whole.
 [[nodiscard]] std::vector<Piece> uncovered(const Clipmap& clipmap, const Windows& before, const Windows& now);
 
-/// Squares, at most one per clipmap level, that contain the visible parts of `places` (anchor space) in the
-/// windows. Their sides are powers of two from 64 on, their first columns multiples of 4. A level with
-/// `pieces` gets a square of the whole level.
+/// Squares, at most one per clipmap level, that contain the visible parts of the boxes `places` (relative to
+/// a nearby origin) in the windows. The squares' sides are powers of two from 64 on; their first columns are
+/// multiples of 4. A level that has entries in `pieces` gets a square of the whole level.
 [[nodiscard]] std::vector<Piece> squares_about(const Clipmap& clipmap, const Windows& windows,
                                                std::span<const Bounds> places, std::span<const Piece> pieces);
 
 /// Appends to `tiles` the tiles of each square's picture in which the map may change (see
-/// shaders/tiles.glsl.h): where `places` are seen and where `pieces` are. Pictures store their texels as
-/// add_mixed_levels() expects. Cost: a few steps per place and level.
+/// shaders/tiles.glsl.h): where the boxes `places` are seen, and where the rectangles `pieces` are. Pictures
+/// store their texels as add_mixed_levels() expects. Cost: a few steps per place and level.
 void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::span<const Bounds> places,
                 std::span<const Piece> pieces, std::vector<uint32_t>& tiles);
 
 /// A part of a clipmap piece (a rectangle of texels to draw) that is contiguous in the map. A piece may have
-/// several parts, because levels wrap around.
+/// several parts, because clipmap levels wrap around.
 struct PieceHome {
-    glm::uvec2 from{0}; ///< first texel of this part, counted from the piece's corner
+    glm::uvec2 from{0}; ///< first texel of the part, counted from the piece's corner
     glm::uvec2 size{0};
     uint32_t texel = 0; ///< index of the part's first texel in the map; two rows are one level width apart
 };
 
-/// The places in the map where a piece of a clipmap level is stored: at most four rectangles, because a level
-/// wraps around in both directions.
+/// The places in the map where a piece (rectangle) of a clipmap level is stored: at most four, because a
+/// level wraps around in both directions.
 [[nodiscard]] std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece);
 
-/// Projection that draws a piece from the vertices of add_sun_vertices().
+/// Projection that draws a piece (a rectangle of a clipmap level's texels) from the vertices of
+/// add_sun_vertices().
 [[nodiscard]] glm::mat4 clip_from_sun(const Piece& piece);
 
 /// Makes the shaders' lookup data for a clipmap. `pixel_m` is the size of a pixel at distance 1, or at any
@@ -156,7 +158,8 @@ struct MixInputs {
                                              gpu::BufferId map);
 
 /// Adds a pass that transforms posed vertices into the sun's view: x and y in finest texels, rounded to 1/32,
-/// and z as clip z. The rounding makes the drawn texels independent of where a piece begins.
+/// and z as clip z. The rounding makes the drawn texels independent of where a piece (a rectangle of texels
+/// to draw) begins.
 [[nodiscard]] gpu::BufferId add_sun_vertices(gpu::Graph& graph, gpu::BufferId posed_vertices,
                                              uint32_t vertex_count, const Clipmap& clipmap);
 

@@ -33,15 +33,16 @@ float sun_depth_at(ivec2 texel, uint level)
     ivec2 inside = clamp(texel, ivec2(0), ivec2(sun_shadow.size) - 1);
     float depth = texelFetch(sun_map, inside.y * int(sun_shadow.size) + inside.x).x;
     if (has_sun_warp) {
-        // In a perspective map, the depths of a row were all divided by one common w.
+        // In a perspective map, all depths of a row were divided by one common homogeneous coordinate w.
         float y = (2.0 * float(inside.y) + 1.0) / float(sun_shadow.size) - 1.0;
         depth *= sun_shadow.warp.y / (sun_shadow.warp.x - y);
     }
     return depth;
 }
 
-// The finest level of the sun's clipmap that is not finer than the page's pixels at `point` and whose window
-// contains the point with a margin of `margin_m`; the number of levels if there is none.
+// The finest level of the sun's clipmap that can be read at `point`. The level is not finer than the page's
+// pixels at the point, and its window contains the point with a margin of `margin_m`. Returns the number of
+// levels if no level can be read.
 uint sun_level(vec3 point, float margin_m)
 {
     float away = frame.is_orthographic != 0u ? 1.0 : dot(point - frame.eye_anchor, frame.view_forward);
@@ -132,8 +133,8 @@ float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
     return has_sun_levels ? mix(1.0, share, sun_fade(point)) : share;
 }
 
-// Whether a place in the map gives a valid answer. Outside a map of all casters there is no shadow; outside
-// other maps the shadow is unknown.
+// Whether a place in the map gives a valid answer. Outside a map that covers all casters there is no shadow;
+// outside a smaller map the shadow is unknown.
 bool place_counts(SunPlace place)
 {
     return (!has_sun_levels && !has_sun_warp) || place.inside;
@@ -147,8 +148,8 @@ float sun_reach_m(vec3 point)
 }
 
 // Half width in metres, perpendicular to the sun, of the penumbra at `point`. The width is computed from the
-// mean distance of blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). 0
-// without blockers.
+// mean distance of blockers of some part of the sun (Fernando, "Percentage-Closer Soft Shadows", 2005). The
+// width is 0 without blockers.
 float sun_penumbra_m(vec3 point, vec3 normal, vec3 towards_sun)
 {
     const uint count = 48u;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clouds and their section of the style. There are three layers. The lowest layer is cumulus, made of round
-// puffs on a flat base. Above it lie small flat clouds (altocumulus). The highest layer is streaks (cirrus).
-// The layers are fixed in the world and drift with the wind.
+// Clouds and their section of the style. There are three layers of clouds. The lowest layer is cumulus, made
+// of round puffs on a flat base. Above it lie small flat clouds (altocumulus). The highest layer is streaks
+// (cirrus). The layers are fixed in the world and drift with the wind.
 
 #include <array>
 #include <memory>
@@ -32,7 +32,7 @@ struct CloudStyle {
     float streaks_size_m = 9000.0F;
     float streaks_mm = 0.9F;
     float wind_m_per_s = 9.0F;
-    wind::Wind wind; ///< wind of the scene, from the style's [wind]; not a key of this section
+    wind::Wind wind; ///< wind of the scene, from the style's [wind]; not a key of the section [clouds]
     float change_s = 3600.0F;
     glm::vec3 color = style::srgb(0xffffff);
     glm::vec3 shade_color = style::srgb(0xc4cfd0);
@@ -63,7 +63,7 @@ struct CloudView {
     float pixels_per_mm = 1.0F;
 };
 
-/// The shapes of all clouds. They do not depend on the camera.
+/// The shapes of all clouds. The shapes do not depend on the camera.
 struct CloudShapes {
     /// One layer of puffs (balls of cloud): indices at which the layer's data starts in the lists of
     /// CloudShapes.
@@ -78,8 +78,8 @@ struct CloudShapes {
     Layer add(std::span<const shared::CloudPuff> layer_puffs, uint32_t cells);
 
     std::array<Layer, 2> layers; ///< cumulus clouds, then altocumulus clouds
-    /// Several lists of cells. Each list stores the index of the first puff (ball of cloud) of each cell. Its
-    /// last entry is the end of the last cell's puffs.
+    /// Several lists of cells. Each list stores the index of the first puff (ball of cloud) of each cell. The
+    /// list's last entry is the end of the last cell's puffs.
     std::vector<uint32_t> starts;
     std::vector<shared::CloudPuff> puffs;
     std::vector<float> streaks; ///< density of streaks at each corner of the cells, row by row
@@ -127,14 +127,14 @@ struct CloudInputs {
     uint32_t variant = 0;
     bool keeps_cover = false; ///< also outputs the clouds' coverage of each pixel
     glm::uvec2 size_px{0};
-    /// If set, paints clouds only in these tiles of the page, a list from surface::add_far_tiles(). Requires
-    /// keeps_cover = false.
+    /// If set, paints clouds only in the listed tiles of the page; the list comes from
+    /// surface::add_far_tiles(). Requires keeps_cover = false.
     std::optional<gpu::BufferId> tiles;
-    /// If set, paints no clouds at pixels that show a surface nearer to the eye than this distance.
+    /// If set, paints no clouds at pixels that show a surface nearer to the eye than `far_m`.
     std::optional<float> far_m;
     /// If set, the 8 x 8 pixels of a workgroup find their puffs together, which is faster on GPUs. A tile of
     /// the page must then begin at a multiple of 8 pixels. With other tile positions, outlines that cross
-    /// each other may differ from those of a page drawn in one piece.
+    /// each other may differ from the outlines in a page that is drawn as a whole.
     bool by_groups = false;
 };
 

@@ -54,7 +54,7 @@ PuffSeed seed_of(const CoverField& field, const PuffShape& shape, int x, int y, 
 }
 
 /// Direction in which the cloud mass around a cell gets thinner. The shading treats the mass as if it faced
-/// that way.
+/// in the direction in which it gets thinner.
 glm::vec3 lean_of(const CoverField& field, int x, int y)
 {
     const glm::vec2 slope(field.at(x + 1, y) - field.at(x - 1, y), field.at(x, y + 1) - field.at(x, y - 1));

@@ -13,7 +13,7 @@
 
 namespace estampe::sky {
 
-/// A hashed random number in [0, 1). It is the same on every machine.
+/// A hashed random number in [0, 1). The number is the same on every machine.
 [[nodiscard]] float hashed(uint32_t a, uint32_t b, uint32_t c);
 
 /// A noise field over a tile, sampled at the middles of cells.
@@ -44,10 +44,10 @@ struct CoverNoise {
 /// Size of puffs (balls of cloud) in cells, and how the puffs are stacked.
 struct PuffShape {
     float radius = 0.85F;      ///< radius of a puff where the cloud is dense, in cells
-    float growth = 0.10F;      ///< excess of the field over the limit at which a puff has its full size
-    uint32_t levels = 1;       ///< number of puffs on top of each other
+    float growth = 0.10F;      ///< excess of the noise over its limit at which a puff has its full size
+    uint32_t levels = 1;       ///< number of puffs (balls of cloud) on top of each other
     float level_rise = 0.62F;  ///< height from one puff to the next higher puff, in radii
-    float level_limit = 0.06F; ///< increase of the field's limit from one level of puffs to the next higher
+    float level_limit = 0.06F; ///< Increase of the noise's limit from one puff to the next higher puff.
 };
 
 /// Finds the limit above which the noise field forms puffs (balls of cloud), such that puffs cover the given

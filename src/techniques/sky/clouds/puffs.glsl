@@ -15,7 +15,7 @@ struct SeenPuffs {
     float cover;    // coverage of the pixel by puffs
     float away_m;   // distance from the eye to the nearest puff; no_hit_m if there is none
     float shade;    // shade of the nearest puff: 0 lit, 1 shaded, 0.5 in the band between
-    float line;     // ink of the outline at this pixel, 0 to 1
+    float line;     // ink of the outline at the pixel, 0 to 1
     float line_m;   // distance from the eye to the outlined puff
     float line_px;  // distance of the pixel outside of the outlined puff's edge, in pixels
     float width_px; // width of the outline in pixels
@@ -108,7 +108,7 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
         float hit_m = max(into_m, ray.enter_m);
         if (hit_m <= seen.away_m) {
             // Where the edge between a puff's flat base and its round side crosses the pixel, the shades of
-            // both are blended.
+            // base and side are blended.
             float under =
                 clamp((ray.enter_m - into_m) * ray.d.y / (ray.enter_m * ray.pixel_rad) + 0.5, 0.0, 1.0);
             vec3 side = normalize((from_centre + ray.step * hit_m) * layer.per_m);

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_PUFFS_OF_GROUP
 #define ESTAMPE_PUFFS_OF_GROUP
 
-// Finds the puffs of a layer that the 64 pixels of a workgroup see. The workgroup finds them together, which
-// is faster on GPUs. Each thread scans one cell for puff centres near the group's rays, then tests one of the
+// Finds the puffs of a layer that the 64 pixels of a workgroup see. The pixels find puffs together, which is
+// faster on GPUs. Each thread scans one cell for puff centres near the group's rays, then tests one of the
 // found puffs. The pixels then process only the remaining puffs. Define before inclusion: all that puffs.glsl
 // needs, and `lowest_way`.
 
@@ -23,8 +23,8 @@ shared vec4 balls[group_threads];  // xyz: vector from the puff's centre to the 
 shared vec4 leans[group_threads];  // xyz: direction that the cloud mass faces; w: random number of the puff
 shared uint kept[2][2];            // one bit per puff that is near any ray; two copies are used in turn
 
-// The region of cells that may hold centres of puffs near the group's rays. It consists of rows of cells, the
-// nearest row first.
+// The region of cells that may hold centres of puffs near the group's rays. The region consists of rows of
+// cells, the nearest row first.
 struct PuffBand {
     bool is_turned; // True: the rows of cells run along the wind; false: across the wind.
     bool is_narrow; // all rays cross the rows of cells in the same direction
@@ -116,7 +116,8 @@ PuffBand band_of(PuffLayer layer)
     return band;
 }
 
-// Finds the cell with a given number in a band. Returns false if the band has no such cell.
+// Finds the cell with a given number in a band (rows of cells near the group's rays). Returns false if the
+// band has no such cell.
 bool cell_of(PuffBand band, PuffLayer layer, int number, out ivec2 cell)
 {
     int row = number / band.column_count;
@@ -132,8 +133,8 @@ bool cell_of(PuffBand band, PuffLayer layer, int number, out ivec2 cell)
     return row < band.row_count && float(column) <= eye.y + to;
 }
 
-// Smallest distance along a ray at which the ray may come near a puff in the cells of the band from cell
-// `number` on.
+// Smallest distance along a ray at which the ray may come near a puff. Only cells of the band (rows of cells
+// near the rays) from cell `number` on count.
 float nearest_of(PuffBand band, PuffLayer layer, PuffRay ray, int number)
 {
     int line = band.first_row + band.forth * (number / band.column_count) + (band.forth > 0 ? 0 : 1);
@@ -172,7 +173,7 @@ void see_kept(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, uint turn)
     }
 }
 
-// Three numbers of puffs: in this thread's cell, in the cells of threads with lower numbers, and in the cells
+// Three numbers of puffs: in the thread's cell, in the cells of threads with lower numbers, and in the cells
 // of all threads.
 struct CellPuffs {
     ivec2 cell;
@@ -233,8 +234,8 @@ void find_kept(CellPuffs puffs, PuffLayer layer, int from, uint turn)
     barrier();
 }
 
-// Returns the puffs that a pixel's ray sees, like puffs_along(). All threads of a workgroup must call this
-// function together, including those whose pixel shows no clouds.
+// Returns the puffs that a pixel's ray sees, like puffs_along(). All threads of a workgroup must call
+// puffs_of_group() together, including those whose pixel shows no clouds.
 SeenPuffs puffs_of_group(PuffLayer layer, vec3 d, float pixel_rad, bool sees_any)
 {
     barrier(); // no thread may write before all threads have finished the previous layer

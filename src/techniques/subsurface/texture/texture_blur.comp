@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per texel of the map spreads light along rows or columns, by five taps of a B-spline. Texels
-// across a seam, which are farther apart in the scene than in the map, exchange no light; the light that they
-// would exchange stays in place.
+// One thread per texel of the map spreads light along rows or columns, by five taps (texels read) with the
+// weights of a B-spline. Texels across a seam are farther apart in the scene than in the map, and exchange no
+// light. Light that would cross the seam stays in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -29,7 +29,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 // Draw call and flags, see shaders/surface_images.glsl.
 layout(binding = 6, r32ui) writeonly uniform uimage2D out_draw;
 layout(binding = 7, rg32ui) writeonly uniform uimage2D out_normal; // packed normal, stored twice
-// Position in anchor space in xyz; size of a texel in w.
+// Position in anchor space (relative to a nearby origin) in xyz; size of a texel in w.
 layout(binding = 8, rgba32f) writeonly uniform image2D out_point;
 
 layout(push_constant, scalar) uniform Constants

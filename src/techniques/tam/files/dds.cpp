@@ -220,8 +220,8 @@ private:
     }
 
     /// Blends the slice that is next lighter and the slice that is next darker, so that the mean of the
-    /// result is `darkness`. Blank paper counts as the slice before the first. A tone that is darker than the
-    /// last slice is a copy of the last slice.
+    /// result is `darkness`. Blank paper counts as the slice before the first slice. A tone that is darker
+    /// than the last slice is a copy of the last slice.
     [[nodiscard]] static Gray8 blended(const std::vector<Gray8>& slices, double darkness)
     {
         Gray8 lighter(slices.front().size(), 0);

@@ -248,7 +248,7 @@ PaintedMap read_map(const fs::path& path)
         DdsImages images = decode_dds(read_file(path, max_file_bytes), path.string());
         return complete_map(std::move(images.level_of_layer), images.size_px, {}, path.string());
     }
-    static_cast<void>(read_file(path, max_file_bytes)); // throws an Error if there is no such file
+    static_cast<void>(read_file(path, max_file_bytes)); // throws an Error if the file does not exist
     throw Error("is no tonal art map", path.string(), "give a folder of PNG files, a .dds or a .tam file");
 }
 

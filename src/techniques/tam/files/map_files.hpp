@@ -34,8 +34,8 @@ void write_map(const TonalArtMap& map, const std::filesystem::path& path);
 
 // A `.tam` file is a zip archive that any archiver opens. The file `tam.toml` in the archive contains the
 // size and the darknesses. Each tone and level is a PNG, `tone1_level0.png` and so on, with black ink on
-// white. If the map has thresholds, they are PNGs too, `threshold_level0.png` and so on. The same map always
-// gives the same bytes.
+// white. If the map has thresholds, the thresholds are PNGs as well, `threshold_level0.png` and so on. The
+// same map always gives the same bytes.
 
 /// Writes a map in the format of a `.tam` file. Throws Error if the map is invalid.
 [[nodiscard]] std::vector<std::byte> encode_tam(const TonalArtMap& map);
@@ -73,11 +73,12 @@ struct DdsImages {
     std::vector<std::vector<Gray8>> level_of_layer;
 };
 
-/// Reads an uncompressed DDS file. Its texels are 8-bit luminance or alpha, 24- or 32-bit colour with masks,
-/// or, with a DX10 header, R8, RGBA8 or BGRA8. The file may contain one image, an array (one tone per layer),
-/// or a volume (one tone per slice). A volume's coarser mip levels have fewer slices: each tone is blended
-/// from the two slices nearest in darkness, as long as the level has at least two slices. Throws Error naming
-/// `name` if the file has another format, is truncated, is not square, or exceeds the limits of TonalArtMap.
+/// Reads an uncompressed DDS file. The file's texels are 8-bit luminance or alpha, 24- or 32-bit colour with
+///       masks, or, with a DX10 header, R8, RGBA8 or BGRA8. The file may contain one image, an array (one
+///       tone per layer), or a volume (one tone per slice). A volume's coarser mip levels have fewer slices:
+///       each tone is blended from the two slices nearest in darkness, as long as the level has at least two
+///       slices. Throws Error naming `name` if the file has another format, is truncated, is not square, or
+///       exceeds the limits of TonalArtMap.
 ///
 /// Source  Microsoft, "Programming Guide for DDS"
 [[nodiscard]] DdsImages decode_dds(std::span<const std::byte> bytes, const std::string& name);

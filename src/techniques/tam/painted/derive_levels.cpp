@@ -88,8 +88,8 @@ public:
     }
 
     /// Draws the best spaced strokes of `offered` until the mean coverage is `target`, and returns these
-    /// strokes in the order of `offered`. `offered` must be sorted, longest first. Short scraps are used only
-    /// after all longer strokes.
+    /// strokes in the order of `offered`. `offered` must be sorted, longest first. Short scraps of strokes
+    /// are used only after all longer strokes.
     [[nodiscard]] std::vector<const PaintedStroke*> keep(std::vector<const PaintedStroke*> offered,
                                                          double target)
     {
@@ -113,9 +113,9 @@ public:
     [[nodiscard]] Gray8 coverage() const { return canvas_.coverage(); }
 
 private:
-    /// Counts the strokes in `offered` that are longer than a third of a typical stroke. A typical stroke is
-    /// the one at which half of the ink lies in longer strokes. If no such stroke is left, returns the number
-    /// of all strokes.
+    /// Counts the strokes in `offered` that are longer than a third of a typical stroke. Half of the ink lies
+    /// in strokes that are longer than a typical stroke. If no long stroke is left, returns the number of all
+    /// strokes.
     [[nodiscard]] size_t long_ones(const std::vector<const PaintedStroke*>& offered)
     {
         if (shortest_long_ == 0) {

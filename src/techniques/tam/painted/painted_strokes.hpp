@@ -23,7 +23,7 @@ struct PaintedStroke {
 /// side; an empty `lighter` means paper.
 ///
 /// The difference is thinned to lines one pixel wide (Zhang and Suen, 1984), which are cut where they cross.
-/// Line ends that point at each other across older ink, such as a stroke of the lighter tone, are joined
+/// Line ends that point at each other across older ink (for example, a stroke of the lighter tone) are joined
 /// again. Widths are distances to the nearest paper, scaled so that the strokes have as much ink as the
 /// difference.
 ///
@@ -34,7 +34,7 @@ struct PaintedStroke {
 /// Adds the coarse levels that a painted map lacks. Every tone must have the same number of painted levels.
 ///
 /// The strokes of a tone are found in the tone's difference from the previous tone (see find_strokes()). Each
-/// coarser level keeps the best spaced strokes of the next finer level. These strokes are drawn as many
+/// coarser level keeps the best spaced strokes of the next finer level. The kept strokes are drawn as many
 /// pixels wide as they were painted, until the ink equals the darkness of the tone.
 ///
 /// Cost    a second or two for 512 px and 6 tones

@@ -45,7 +45,7 @@ struct DriftView {
 
 struct DriftInputs {
     gpu::BufferId frame;  ///< buffer with the FrameGlobals of the current frame
-    gpu::ImageId heights; ///< r32f: height of the ground, on the field of the plan
+    gpu::ImageId heights; ///< r32f: height of the ground, on the field of the drifting sand's constants
     gpu::ImageId depth;   ///< r32f: reversed depth (1 at the near plane), 0 where no surface is visible
     glm::uvec2 size_px{0};
 };

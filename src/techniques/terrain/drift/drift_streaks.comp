@@ -18,7 +18,8 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform sampler2D height_image; // height of the ground, in metres above the anchor
+// Height of the ground, in metres above the anchor (a nearby origin).
+layout(binding = 1) uniform sampler2D height_image;
 layout(binding = 2) uniform sampler2D depth_image;
 
 layout(scalar, binding = 3) buffer Ink
@@ -33,8 +34,8 @@ layout(push_constant, scalar) uniform Constants
 
 const int search = 6; // number of samples in each direction along the wind, in the search for a crest
 const float search_m = 1.5;
-// Change of slope across a crest. At the first value, a gentle swell loses no sand; at the second, a sharp
-// brink loses most sand.
+// Change of slope across a crest. At the first of the two changes, a gentle swell loses no sand; at the
+// second change, a sharp brink loses most sand.
 const vec2 crest = vec2(0.3, 0.65);
 const float sinking_m_s2 = 0.5; // speed at which grains sink in moving air
 const float longest_px = 160.0;

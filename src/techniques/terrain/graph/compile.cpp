@@ -281,8 +281,8 @@ private:
         return result;
     }
 
-    /// Converts an expression to a linear function of time, if it is one, such as a number or a speed.
-    /// Returns none for other expressions.
+    /// Converts an expression to a linear function of time, if the expression is linear in time, such as a
+    /// number or a speed. Returns none for other expressions.
     std::optional<Linear> in_time(const Expression& at)
     {
         if (at.kind == Expression::Kind::number) {
@@ -586,7 +586,7 @@ private:
     std::map<std::array<uint32_t, 9>, uint32_t> known_;
     /// Index of the value that a node computes in a coordinate frame, by the node's name and that frame.
     std::map<std::pair<std::string, Frame::Key>, uint32_t> named_;
-    /// For each node: its linear function of time; none if it is not linear.
+    /// For each node: its linear function of time; none if the node is not linear in time.
     std::map<std::string, std::optional<Linear>> times_;
 };
 

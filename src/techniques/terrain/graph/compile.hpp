@@ -19,8 +19,8 @@ namespace estampe::terrain {
 /// Throws the same Errors as Terrain's constructor. Cost: linear in the number of used nodes; reads textures.
 [[nodiscard]] Program compile_program(const TerrainDescription& terrain);
 
-/// Cosine and sine of an angle. Both are exact for quarter turns. So a form that repeats along an axis stays
-/// exact a million metres away.
+/// Cosine and sine of an angle. Cosine and sine are exact for quarter turns. So a form that repeats along an
+/// axis stays exact a million metres away.
 [[nodiscard]] inline glm::dvec2 cosine_and_sine(double angle_rad)
 {
     constexpr double rounding = 1e-15; // largest rounding error of an angle of up to two turns

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_DUAL_MATH
 #define ESTAMPE_DUAL_MATH
 
-// The arithmetic of height graphs, for GLSL and C++. `Real` is float or double. A value is a dual number
-// (value, d/dx, d/dz, d/dt), so slopes and speeds are exact. Only sums, products, quotients and roots are
-// used, because sines and powers differ between devices.
+// The arithmetic of height graphs, for GLSL and C++. `Real` is float or double. A value is a dual number: the
+// value and its derivatives by the coordinates x and z and by the time t. So slopes and speeds are exact.
+// Only sums, products, quotients and roots are used, because sines and powers differ between devices.
 
 Real4 dual(Real value)
 {

@@ -14,8 +14,8 @@
 #include "shaders/hash.glsl"
 #include "techniques/terrain/graph/dual_math.glsl"
 
-// The coordinates of a leaf (such as noise) in its own units: whole cells, and the offset from them in each
-// direction. `period_m` is the length of one unit on the ground.
+// The coordinates of a leaf (such as noise) in its own units: whole cells, and the offset from the whole
+// cells in each direction. `period_m` is the length of one unit on the ground.
 struct Place {
     int cell_u;
     int cell_v;
@@ -83,8 +83,8 @@ Place place_at(uint place, Real x, Real z)
     return p;
 }
 
-// The coordinates of a leaf (such as noise), displaced by (u, v). The displacement is in metres of the leaf's
-// coordinate frame.
+// The coordinates of a leaf (such as noise), displaced by the vector (u, v). The displacement is in metres of
+// the leaf's coordinate frame.
 Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
 {
     Place p = place_at(place, x, z);
@@ -158,14 +158,14 @@ Real4 gradient_noise(Place p, uint seed)
     return r;
 }
 
-// Gradient noise. Its parameter in the program is the seed.
+// Gradient noise. The noise's parameter in the program is the seed.
 Real4 leaf_noise(Place p, uint first, Real spacing_m)
 {
     return gradient_noise(p, uint(height_number(first))) * share_shown(p.period_m, spacing_m);
 }
 
 // The coordinates for the next octave of noise: rotated by 26.6 degrees and scaled by the square root of
-// five. This maps cells to cells, so no lattice is visible and no rounding occurs.
+// five. The rotation and scaling map cells to cells, so no lattice is visible and no rounding occurs.
 Place next_octave(Place p)
 {
     Place q;
@@ -183,8 +183,8 @@ Place next_octave(Place p)
     return q;
 }
 
-// Fractal noise (fbm): a sum of octaves of gradient noise. Its parameters in the program are seed, octaves,
-// gain.
+// Fractal noise (fbm): a sum of octaves of gradient noise. The noise's parameters in the program are seed,
+// octaves, gain.
 Real4 leaf_fbm(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -204,8 +204,8 @@ Real4 leaf_fbm(Place p, uint first, Real spacing_m)
     return sum;
 }
 
-// Ridged noise: ridges where gradient noise crosses zero; in [0, 1] for one octave. Its parameters in the
-// program are seed, octaves, gain.
+// Ridged noise: ridges where gradient noise crosses zero; in [0, 1] for one octave. The noise's parameters in
+// the program are seed, octaves, gain.
 Real4 leaf_ridged(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -227,7 +227,7 @@ Real4 leaf_ridged(Place p, uint first, Real spacing_m)
 }
 
 // Cellular noise: distance in cells to the nearest of random points, one per cell (Worley, "A cellular
-// texture basis function", SIGGRAPH 1996). Its parameter in the program is the seed.
+// texture basis function", SIGGRAPH 1996). The noise's parameter in the program is the seed.
 Real4 leaf_cellular(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -271,8 +271,8 @@ int wrapped_texel(int index, int count, int wrap)
     return at >= count ? period - 1 - at : at;
 }
 
-// Weights of the four texels around a position t in [0, 1] between the middle two. Either linear, or a smooth
-// curve through the texels (Catmull and Rom 1974).
+// Weights of the four texels around a position t, from 0 to 1, between the middle two texels. The weights are
+// either linear, or a smooth curve through the texels (Catmull and Rom 1974).
 Real4 texel_weights(Real t, bool is_cubic)
 {
     if (!is_cubic) {
@@ -302,7 +302,7 @@ Real4 leaf_texture(Place p, uint first, Real spacing_m)
     int wrap = int(height_number(first + 3u));
     bool is_cubic = height_number(first + 4u) > Real(0.5);
     Real mean = height_number(first + 5u);
-    // A repeating texture ignores the number of whole textures before this place. That number matters only if
+    // A repeating texture ignores the number of whole textures before the place. The number matters only if
     // the texture is mirrored or clamped.
     int turn_u = wrap == 0 ? 0 : (wrap == 1 ? p.cell_u & 1 : clamp(p.cell_u, -2, 2));
     int turn_v = wrap == 0 ? 0 : (wrap == 1 ? p.cell_v & 1 : clamp(p.cell_v, -2, 2));
@@ -349,8 +349,8 @@ Real4 row_noise(int cell, Real t, int row, uint seed)
     return Real4(a + (b - a) * weight, (b - a) * slope, (b - a) * bend, Real(0));
 }
 
-// In front of a dune, the modelled surface falls below the ground. Its slope there is that of a dune with at
-// least this share of the usual height.
+// In front of a dune, the modelled surface falls below the ground. The slope in front of a dune is the slope
+// of a dune with at least the share `least_dune` of the usual height.
 const Real least_dune = Real(0.25);
 const Real before_rise = Real(0.29);
 
@@ -372,8 +372,8 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     Real4 shift = row_noise(p.cell_v, p.v.x, ridge, seed) * meander;
     Real4 brink = dual_chain(p.v, Real(row) + shift.x, shift.y);
     Real4 behind_m = (p.u - brink) * wavelength_m;
-    // Where the brink (sharp upper edge) meanders, its nearest point is closer than the point straight along
-    // the wind.
+    // Where the brink (sharp upper edge) meanders, the brink's nearest point is closer than the point
+    // straight along the wind.
     Real tilt = shift.y * wavelength_m / crest_m;
     Real stretch = sqrt(Real(1) + tilt * tilt);
     Real highest_m = height_m * (Real(1) + Real(0.6) * variation);
@@ -399,14 +399,15 @@ Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
     if (climb.x >= Real(1)) {
         rise = dual(Real(1));
     }
-    // A mesh would show a sharp brink (upper edge of a dune) as a row of teeth. So the brink is rounded by
-    // the spacing of the mesh's grid.
+    // A mesh would show a sharp brink (upper edge of a dune) as a jagged line. So the brink is rounded by the
+    // spacing of the mesh's grid.
     return -dual_smooth_max(-dual_mul(crest, rise), -lee, Real(1.5) * repose * spacing_m + Real(1e-9));
 }
 
 // Height of dunes. The parameters in the program are: seed, height, wavelength, slope of the slip face (steep
 // lee side), length of the rise, meander in wavelengths, variation of height, length of a bend of the crest,
-// width of the rounded foot. One unit of u is a wavelength downwind, one unit of v is a bend of the crest.
+// width of the rounded foot. One unit of the coordinate u is a wavelength downwind, one unit of the
+// coordinate v is a bend of the crest.
 Real4 leaf_dunes(Place p, uint first, Real spacing_m)
 {
     Real shown = share_shown(p.period_m * Real(0.5), spacing_m);
@@ -418,7 +419,7 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
     p.u.x = p.u.x - whole;
     Real foot_m = height_number(first + 8u);
     Real4 height = dual(Real(0));
-    // Evaluates only dunes whose slip face (steep lee side) or windward rise can reach this place.
+    // Evaluates only dunes whose slip face (steep lee side) or windward rise can reach the place.
     Real lee = height_number(first + 1u) * (Real(1) + Real(0.6) * height_number(first + 6u)) /
                (height_number(first + 3u) * height_number(first + 2u));
     Real meander = height_number(first + 5u);

@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_HEIGHT_PROGRAM
 #define ESTAMPE_HEIGHT_PROGRAM
 
-// Defines height_at(place, spacing): the height of a program at a place relative to the anchor, as a dual
-// number. It leaves out details that are too fine for a grid of that spacing. The function interprets any
-// program, unless the text of one compiled program replaces HEIGHT_PROGRAM. The including shader must declare
-// `words`, `texels` and `terrain`.
+// Defines height_at(place, spacing): the height of a program at a place relative to the anchor (a nearby
+// origin), as a dual number. The function leaves out details that are too fine for a grid with the given
+// spacing. The function interprets any program, unless the text of one compiled program replaces
+// HEIGHT_PROGRAM. The including shader must declare `words`, `texels` and `terrain`.
 
 #include "techniques/terrain/terrain.glsl.h"
 
@@ -135,7 +135,7 @@ vec4 value_of(Decoded i, vec4 a, vec4 b, vec4 c)
 vec4 height_at(vec2 local_m, float spacing_m)
 {
     // The last register is one more than programs use. An operation with fewer inputs reads its missing
-    // inputs from it.
+    // inputs from the last register.
     vec4 registers[height_register_count + 1u];
     registers[height_register_count] = vec4(0.0);
     uint target = 0u;

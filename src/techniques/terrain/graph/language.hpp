@@ -2,8 +2,8 @@
 #pragma once
 
 // The language of height expressions: numbers, names, the operators + - * / ^, and calls with arguments by
-// position or by name. This file lists the functions and their parameters. An example of an expression is
-// `lerp(texture("a.png", 200), fbm(80, octaves = 4), sin(time))`.
+// position or by name. The file language.hpp lists the functions and their parameters. An example of an
+// expression is `lerp(texture("a.png", 200), fbm(80, octaves = 4), sin(time))`.
 
 #include <cstdint>
 #include <functional>

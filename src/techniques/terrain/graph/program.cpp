@@ -108,8 +108,8 @@ std::vector<double> monotone_curve(std::span<const glm::dvec2> points)
         if (i > 0 && i + 1 < points.size() && rise(i - 1) * rise(i) > 0.0) {
             const double before = points[i].x - points[i - 1].x;
             const double after = points[i + 1].x - points[i].x;
-            // The slope is the weighted harmonic mean of the slopes on both sides. This mean is at most three
-            // times the smaller slope, which is sufficient for a monotone curve.
+            // The slope is the weighted harmonic mean of the slopes on both sides. The harmonic mean is at
+            // most three times the smaller slope, which is sufficient for a monotone curve.
             const double near = 2.0 * after + before;
             const double far = after + 2.0 * before;
             slope = (near + far) / (near / rise(i - 1) + far / rise(i));

@@ -33,7 +33,8 @@ struct Linear {
 struct PlaceSource {
     Linear u, v;
     double period_m = 1.0; ///< shortest length of one unit of the leaf (such as noise) on the ground
-    /// Units of the leaf (such as noise) per metre of its coordinate frame, along u and v.
+    /// Units of the leaf (such as noise) per metre of the leaf's coordinate frame, along the coordinates u
+    /// and v.
     glm::dvec2 units_per_m{1.0};
 
     bool operator==(const PlaceSource&) const = default;
@@ -66,7 +67,8 @@ struct Program {
     std::vector<HeightTexture> textures;
     std::vector<float> texels;
 
-    /// Returns whether two programs differ at most in numbers. Such programs share compiled shaders.
+    /// Returns whether two programs differ at most in numbers. Programs that differ only in numbers share
+    /// compiled shaders.
     [[nodiscard]] bool has_form_of(const Program& other) const;
 };
 
@@ -78,7 +80,7 @@ struct PlaceWords {
 };
 
 /// Converts the coordinates of a program's leaves so that they are relative to an origin (x, z) in metres and
-/// a time in seconds. This keeps their numbers small.
+/// a time in seconds. Coordinates near the origin keep their numbers small.
 [[nodiscard]] std::vector<PlaceWords> place_words(const Program& program, const glm::dvec2& origin_m,
                                                   double time_s);
 

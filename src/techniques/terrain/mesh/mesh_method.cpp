@@ -10,10 +10,10 @@ namespace estampe::terrain {
 namespace {
 
 /// Nested square grids around the eye. Each grid has twice the cell size of the grid inside it, and a hole
-/// for that inner grid. A grid follows the eye in steps of two cells, so that its even vertices coincide with
-/// vertices of the next outer grid. Its outermost triangles use only even vertices along the border, at the
-/// heights of the outer grid, so both grids share their edges bit for bit. The hole may be off by one cell in
-/// each direction; a trim of one column and one row of cells fills the gap.
+/// for the inner grid. A grid follows the eye in steps of two cells, so that its even vertices coincide with
+/// vertices of the next outer grid. A grid's outermost triangles use only even vertices along the border, at
+/// the heights of the outer grid. So the inner and the outer grid share their edges bit for bit. The hole may
+/// be off by one cell in each direction; a trim of one column and one row of cells fills the gap.
 class Rings : public MeshMethod {
 public:
     explicit Rings(const TerrainMeshing& meshing);
@@ -43,7 +43,7 @@ private:
     uint32_t cells_;
 };
 
-/// An existing mesh of the scene. The terrain's heights are added to its vertices.
+/// An existing mesh of the scene. The terrain's heights are added to the mesh's vertices.
 class Raised : public MeshMethod {
 public:
     explicit Raised(ObjectTriangles object);
@@ -172,7 +172,7 @@ namespace {
 constexpr uint32_t most_levels = 16;
 constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
 
-/// The used vertices of one grid. A vertex is created when it is used first.
+/// The used vertices of one grid. A vertex is created when it is used for the first time.
 class GridVertices {
 public:
     GridVertices(MeshTopology& mesh, uint32_t word, uint32_t columns, uint32_t rows)
@@ -215,12 +215,12 @@ private:
     std::vector<uint32_t> known_;
 };
 
-/// Adds the outermost cells of a grid of n x n cells. On the outer border of the grid, edges of triangles are
-/// two cells long.
+/// Adds the outermost cells of a square grid with n cells per side. On the outer border of the grid, edges of
+/// triangles are two cells long.
 void add_border(GridVertices& grid, uint32_t n)
 {
     for (uint32_t side = 0; side < 4; ++side) {
-        // The vertex at `along` cells along the border and `in` cells away from it.
+        // The vertex at `along` cells along the border and `in` cells away from the border.
         const auto place = [&](uint32_t along, uint32_t in) {
             const glm::uvec2 lower(along, in);
             const glm::uvec2 upper(along, n - in);

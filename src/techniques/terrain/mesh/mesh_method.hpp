@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Methods that divide the ground plane into triangles. They share one small interface, so the method can be
-// changed at run time.
+// Methods that divide the ground plane into triangles. All methods share one small interface, so the method
+// can be changed at run time.
 
 #include <cstdint>
 #include <memory>
@@ -15,8 +15,8 @@
 namespace estampe::terrain {
 
 /// The vertices and triangles of a terrain's mesh. A vertex is stored as a column and row of one level of
-/// detail. The position of the level converts them to a point of the plane. Triangles are counter-clockwise
-/// as seen from above.
+/// detail. The position of the level of detail converts column and row to a point of the plane. Triangles are
+/// counter-clockwise as seen from above.
 struct MeshTopology {
     /// World positions of the vertices if they are in no grid; otherwise empty.
     std::vector<glm::dvec3> places;
@@ -57,8 +57,8 @@ struct ObjectTriangles {
 [[nodiscard]] std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing,
                                                       const ObjectTriangles& object = {});
 
-/// Position of a vertex in the plane, in metres from the anchor. terrain_vertices.comp computes the same
-/// position.
+/// Position of a vertex in the plane, in metres from the anchor. The shader terrain_vertices.comp computes an
+/// equal position.
 [[nodiscard]] glm::vec2 vertex_place(uint32_t vertex, const std::vector<shared::TerrainLevel>& levels);
 
 } // namespace estampe::terrain

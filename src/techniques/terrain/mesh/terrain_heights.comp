@@ -19,7 +19,7 @@ layout(scalar, binding = 1) uniform Words
 };
 
 layout(binding = 2) uniform samplerBuffer texels;
-// Height of the ground, in metres above the anchor.
+// Height of the ground, in metres above the anchor (a nearby origin).
 layout(binding = 3, r32f) writeonly uniform image2D out_height;
 
 layout(push_constant, scalar) uniform Constants

@@ -73,8 +73,8 @@ uvec2 index_of(uint vertex, TerrainLevel level)
 }
 
 // Height of a vertex. Near the border of a level, the height blends into that of the next outer, coarser
-// level. There, the vertex may lie in the middle of a coarser edge, so the heights at both ends of that edge
-// are evaluated.
+// level. Near the border, the vertex may lie in the middle of a coarser edge, so the heights at both ends of
+// that edge are evaluated.
 vec4 height_of(uvec2 index, TerrainLevel level)
 {
     vec2 from_eye = abs(vec2(index) - level.eye_cells);

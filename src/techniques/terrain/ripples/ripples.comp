@@ -27,10 +27,11 @@ layout(push_constant, scalar) uniform Constants
     RippleConstants constants;
 };
 
-// Number of ripples per pixel: ripples begin to fade at the first value and are gone at the second.
+// Two numbers of ripples per pixel: ripples begin to fade at the first number and are gone at the second
+// number.
 const vec2 resolved = vec2(0.15, 0.36);
-// Slope of the ground: ripples begin to fade at the first value and are gone at the second, because steep
-// sand slides.
+// Two slopes of the ground: ripples begin to fade at the first slope and are gone at the second slope,
+// because steep sand slides.
 const vec2 sliding = vec2(0.35, 0.55);
 
 // Upper limit of the number of ripples in a step on the ground. Ripples are not exactly perpendicular to the
@@ -67,7 +68,7 @@ void main()
     float height = constants.height_m / constants.wavelength_m;
     height *= 1.0 - smoothstep(resolved.x, resolved.y, waves);
     height *= 1.0 - smoothstep(sliding.x, sliding.y, steepness);
-    // No ripples are drawn where the smooth normal points downwards: the ground is seen from below there.
+    // No ripples are drawn where the smooth normal points downwards: the ground is then seen from below.
     if (height <= 0.0 || smooth_normal.y <= 0.0) {
         return;
     }

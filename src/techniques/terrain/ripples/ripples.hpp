@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Ripples on sand: small waves in the shading normals near the eye. They fade out where they are finer than
-// pixels.
+// Ripples on sand: small waves in the shading normals near the eye. The ripples fade out where they are finer
+// than pixels.
 
 #include <optional>
 
@@ -13,9 +13,9 @@
 
 namespace estampe::terrain {
 
-/// Computes the constants of the ripples relative to an anchor, so that coordinates stay small. `time_s` is
-/// the time in seconds, `draw` the number of the terrain's draw (mesh primitive). Returns none if the terrain
-/// has no ripples.
+/// Computes the constants of the ripples relative to an anchor (a nearby origin), so that coordinates stay
+/// small. `time_s` is the time in seconds, `draw` the number of the terrain's draw (mesh primitive). Returns
+/// none if the terrain has no ripples.
 [[nodiscard]] std::optional<shared::RippleConstants>
 ripples_at(const TerrainDescription& terrain, uint32_t draw, const glm::dvec3& anchor_m, double time_s);
 

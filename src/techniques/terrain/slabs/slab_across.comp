@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one cell of the sand: it interpolates the cell's height between two simulation steps, in
-// slabs, and smooths heights along x.
+// One thread handles one cell of the sand: it interpolates the cell's height, in slabs (units of sand),
+// between two simulation steps. The thread also smooths heights along x.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

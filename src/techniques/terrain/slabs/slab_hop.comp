@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one cell of the sand. The wind may lift a slab from the cell; the slab hops until it
-// stays on another cell. Each slab reads the heights before the step, and heights are whole numbers of slabs,
-// so the order of threads does not matter.
+// One thread handles one cell of the sand. The wind may lift a slab (unit of sand) from the cell; the slab
+// hops until it stays on another cell. Slabs (units of sand) read the heights before the step, and heights
+// are whole numbers of slabs. So the order of threads does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -26,8 +26,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/terrain/slabs/slab_lines.glsl"
 
-// Factor on the length of hops that start at this height of sand; 256 means 1. Hops are longer over crests,
-// because the wind is faster there.
+// Factor on the length of hops that start at the given height of sand; 256 means a factor of 1. Hops are
+// longer over crests, because the wind is faster there.
 int reach_of_hop(int slabs)
 {
     int above = clamp(slabs - slab.mean, -0x4000, 0x4000);
@@ -70,7 +70,8 @@ void main()
         }
     }
     if (lands != cell) {
-        atomicAdd(next_slabs[cell], 0xffffffffu); // removes one slab: adding 0xffffffff subtracts 1
+        // Removes one slab (unit of sand): adding 0xffffffff subtracts 1.
+        atomicAdd(next_slabs[cell], 0xffffffffu);
         atomicAdd(next_slabs[lands], 1u);
     }
 }

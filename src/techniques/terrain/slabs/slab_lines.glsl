@@ -22,7 +22,7 @@ uint cell_of_line(int line, int step)
     return slab_cell(slab.along_y != 0u ? ivec2(across, along) : ivec2(along, across));
 }
 
-// The number of the line that continues as `line`, upwind of it.
+// The number of the line of cells that continues as the line `line`, on its upwind side.
 int line_upwind(int line)
 {
     return (line - ((slab.slope * int(slab.side)) >> 16)) & (int(slab.side) - 1);
@@ -38,8 +38,8 @@ uint number_of_piece(int line, int piece)
     return uint(line) * slab_pieces + uint(piece);
 }
 
-// Converts a number of slabs to 1/256 slab, the unit of the lee's roof (an imaginary surface that descends
-// downwind from each crest).
+// Converts a number of slabs (units of sand) to 1/256 slab. The lee's roof (an imaginary surface that
+// descends downwind from each crest) is stored in 1/256 slab.
 int height_of(uint slabs)
 {
     return int(slabs) << 8;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one piece of a line of cells along the wind. It computes the height of the lee's roof
-// (an imaginary surface that descends from each crest) at the end of the piece.
+// One thread handles one piece of a line of cells along the wind. The thread computes the height of the lee's
+// roof (an imaginary surface that descends from each crest) at the end of the piece.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

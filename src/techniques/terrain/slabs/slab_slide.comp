@@ -19,8 +19,8 @@ layout(push_constant, scalar) uniform Constants
     SlideConstants slide;
 };
 
-// Number of slabs that slide from the higher of two cells to the lower: half of the excess of height over the
-// allowed difference, rounded up.
+// Number of slabs (units of sand) that slide from the higher of two cells to the lower cell. The number is
+// half of the excess of height over the allowed difference, rounded up.
 int sliding(int from, int to, int most)
 {
     int difference = from - to;

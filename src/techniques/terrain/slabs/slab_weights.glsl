@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_SLAB_WEIGHTS
 #define ESTAMPE_SLAB_WEIGHTS
 
-// Normalised binomial weights for smoothing heights. Their sum is a power of two, so the results are exact
-// and no sand is gained or lost. The including shader must declare `height`, a SlabHeightConstants.
+// Normalised binomial weights for smoothing heights. The sum of the weights is a power of two, so the results
+// are exact and no sand is gained or lost. The including shader must declare `height`, a SlabHeightConstants.
 
 float weight_of_outermost()
 {

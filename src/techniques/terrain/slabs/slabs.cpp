@@ -51,7 +51,7 @@ double wind_rad(const SlabStyle& style, uint64_t step)
 
 shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint64_t step)
 {
-    // Largest fall per cell of the lee's roof (an imaginary surface that descends from each crest). With this
+    // Largest fall per cell of the lee's roof (an imaginary surface that descends from each crest). With the
     // limit, the fall over twice the field's side fits in 32 bits.
     constexpr int steepest_drop = 1 << 19;
     constexpr int greatest_gain = 1 << 16;
@@ -85,7 +85,7 @@ shared::SlabConstants slab_constants(const SlabStyle& style, uint32_t side, uint
 shared::SlideConstants slide_constants(const SlabStyle& style, uint32_t side, int slide)
 {
     // Sand slides within blocks of 2 x 2 cells, which take four offsets in turn. The second offset is
-    // diagonal to the first.
+    // diagonal to the first offset.
     const auto phase = static_cast<uint32_t>(slide) & 3U;
     return {.side = side,
             .first_x = phase & 1U,

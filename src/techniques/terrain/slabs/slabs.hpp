@@ -47,13 +47,13 @@ public:
     /// of cells per side: a power of two, 64 to 1024; other values throw std::logic_error.
     SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side = 512);
     /// Starts with heights in metres, one for each of `side` x `side` cells, row by row. Heights are rounded
-    /// to slabs. A negative height or NaN is bare rock.
+    /// to whole slabs (units of sand). A negative height or NaN is bare rock.
     SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side, std::span<const float> heights_m);
 
     /// Simulates `count` steps, and returns heights in metres: r32f, `side` x `side` texels, one per cell,
     /// for Sampling::linear_repeat. `fraction` interpolates between the heights before the last step (0) and
-    /// after it (1), so that motion is smooth. With a `count` of 0, it interpolates the last step of earlier
-    /// calls.
+    /// after it (1), so that motion is smooth. With a `count` of 0, the function interpolates the last step
+    /// of earlier calls.
     ///
     /// The caller must run the graph. Graphs must run in the order in which they were passed to the field,
     /// and the field must outlive the runs. Call once per graph.
@@ -81,13 +81,14 @@ public:
     /// Number of steps that have passed when all graphs so far have run.
     [[nodiscard]] uint64_t steps() const { return steps_; }
 
-    /// Number of slabs on each cell, row by row, one word per cell.
+    /// Number of slabs (units of sand) on each cell, row by row, one word per cell.
     [[nodiscard]] gpu::Buffer& slabs() { return states_[newest_]; }
 
 private:
     SlabField(gpu::Device& device, uint32_t side, const std::vector<uint32_t>& slabs);
 
-    std::array<gpu::Buffer, 2> states_; ///< slabs on each cell before and after the last step
+    /// Slabs (units of sand) on each cell, before and after the last step.
+    std::array<gpu::Buffer, 2> states_;
     uint32_t newest_ = 0;
     uint32_t side_ = 0;
     uint64_t steps_ = 0;

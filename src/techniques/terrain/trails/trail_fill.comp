@@ -23,7 +23,7 @@ layout(push_constant, scalar) uniform Constants
 
 void main()
 {
-    const float least_m = 1e-6; // a height below this counts as 0
+    const float least_m = 1e-6; // a height below one micrometre counts as 0
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     if (!is_within(fill.window, texel)) {
         return;

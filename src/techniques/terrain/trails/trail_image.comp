@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one texel. It copies the window's heights to an image that begins at the corner of the
-// window, and fades the heights to 0 at the window's edge.
+// One thread handles one texel. The thread copies the window's heights to an image that begins at the corner
+// of the window, and fades the heights to 0 at the window's edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread tilts the shading normal at one pixel of sand by the slope of the trails (footprints and drag
-// marks) within that pixel. Where a trail shades itself, the normal turns away from the sun.
+// marks) there. Where a trail shades itself, the normal turns away from the sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

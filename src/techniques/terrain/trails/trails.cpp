@@ -28,7 +28,7 @@ constexpr uint32_t most_steps = 30 * 3600;
 constexpr uint32_t steps_a_dispatch = 16384;
 /// Number of steps during which sand slumps after a stamp (a pressed shape).
 constexpr int slumps = 8;
-constexpr float least_m = 0.001F;   ///< stamps (pressed shapes) shallower than this are forgotten
+constexpr float least_m = 0.001F;   ///< stamps (pressed shapes) less than a millimetre deep are forgotten
 constexpr double farthest_m = 1e12; ///< largest distance from the origin at which texels can still be counted
 
 std::vector<float> even_ground(uint32_t side, double extent_m)
@@ -203,7 +203,7 @@ void TrailField::go_to(const TerrainTrails& style, glm::dvec2 centre_m)
 }
 
 /// Sets the new texels of the window to level ground, and repeats the remembered stamps (pressed shapes) in
-/// these texels.
+/// the new texels.
 gpu::BufferId TrailField::add_arriving(gpu::Graph& graph, const TerrainTrails& style, size_t most,
                                        gpu::BufferId heights)
 {
@@ -234,7 +234,7 @@ gpu::BufferId TrailField::add_slump(gpu::Graph& graph, const TerrainTrails& styl
     const double beside_m = texel_m_ * std::tan(glm::radians(static_cast<double>(style.repose_deg)));
     for (uint32_t phase = 0; phase < 4; ++phase) {
         // Sand slides within blocks of 2 x 2 texels, which take four offsets in turn. The second offset is
-        // diagonal to the first.
+        // diagonal to the first offset.
         const glm::uvec2 begin(phase & 1U, (phase ^ (phase >> 1U)) & 1U);
         auto pass = graph.compute("trails/slump", shaders::trail_slump_comp);
         heights = pass.modify(heights);
@@ -305,7 +305,8 @@ namespace {
 
 constexpr double ticks_a_second = 120.0;
 constexpr uint32_t window_texels = 1024;
-constexpr double longest_step_s = 2.0; ///< a longer step between two frames counts as a jump in time
+/// A step of more than 2 s between two frames counts as a jump in time.
+constexpr double longest_step_s = 2.0;
 
 int64_t ticks_at(double time_s)
 {
@@ -370,7 +371,7 @@ void Footprints::prepare(gpu::Device& device, const FootprintMoment& moment)
     }
 }
 
-/// Rebuilds the trails from all stamps before a time, each stamp at its age.
+/// Rebuilds the trails from all stamps (pressed shapes) before a given time, each stamp at its age.
 void Footprints::make_afresh(gpu::Device& device, double time_s)
 {
     next_step_ = static_cast<size_t>(std::ranges::upper_bound(steps_, time_s, {}, &TimedStamp::time_s) -
@@ -386,8 +387,8 @@ void Footprints::make_afresh(gpu::Device& device, double time_s)
     }
 }
 
-/// Presses the tracks' stamps (shapes) up to a time into the sand. After a jump in time, presses each stamp
-/// in the state that it has at its age.
+/// Presses the tracks' stamps (shapes), up to a given time, into the sand. After a jump in time, presses each
+/// stamp in the state that the stamp has at its age.
 void Footprints::walk_on(double time_s)
 {
     const bool is_jump = time_s - moment_.time_s > longest_step_s;

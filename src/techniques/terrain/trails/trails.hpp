@@ -74,12 +74,12 @@ public:
 
     void add_catching_up(gpu::Graph& graph, const TerrainTrails& style);
 
-    /// Lets `ticks` of 1/120 s pass with the window centred on `centre_m` (unchanged if that is not finite),
-    /// and returns the heights. First presses the waiting stamps, at most most_presses() per graph; the
-    /// others keep waiting. Graphs must be run in the order in which they were given to the field, and the
-    /// field must outlive the runs. Call once per graph. Cost: one dispatch for the image; one more if time
-    /// steps pass or the window moves; a dispatch of one workgroup per stamp; per step that slumps, four
-    /// dispatches of a quarter of the threads.
+    /// Lets `ticks` of 1/120 s pass with the window centred on `centre_m` (unchanged if `centre_m` is not
+    /// finite), and returns the heights. First presses the waiting stamps (shapes), at most most_presses()
+    /// per graph; further stamps keep waiting. Graphs must be run in the order in which they were given to
+    /// the field, and the field must outlive the runs. Call once per graph. Cost: one dispatch for the image;
+    /// one more dispatch if time steps pass or the window moves; a dispatch of one workgroup per stamp; per
+    /// step that slumps, four dispatches of a quarter of the threads.
     [[nodiscard]] TrailImage add_step(gpu::Graph& graph, const TerrainTrails& style, uint32_t ticks,
                                       glm::dvec2 centre_m);
 
@@ -137,7 +137,8 @@ private:
 struct FootprintMoment {
     double time_s = 0.0;
     glm::dvec2 centre_m{0.0};
-    /// True if this moment directly follows the previous one, as in a film. The trails then continue.
+    /// True if the moment to show directly follows the previously shown moment, as in a film. The trails then
+    /// continue.
     bool follows = false;
 };
 
@@ -152,12 +153,13 @@ public:
     /// Adds stamps for the next moment, see TrailField::press().
     void press(std::span<const TrailStamp> stamps);
 
-    /// Sets the time at which the trails are shown. If that moment follows the previous moment, sand slumps
-    /// and trails are filled step by step. For any other moment, the trails are rebuilt, so that they do not
-    /// depend on what was shown before. Going back in time forgets the program's stamps after that time.
+    /// Sets the time at which the trails are shown. If the new moment follows the previously shown moment,
+    /// sand slumps and trails are filled step by step. For any other moment, the trails are rebuilt, so that
+    /// they do not depend on what was shown before. Going back to an earlier moment forgets the program's
+    /// stamps (pressed shapes) after that moment.
     void prepare(gpu::Device& device, const FootprintMoment& moment);
 
-    /// Returns whether more remembered stamps enter the window than one step can press, see
+    /// Returns whether more remembered stamps (pressed shapes) enter the window than one step can press, see
     /// TrailField::is_behind().
     [[nodiscard]] bool is_behind() const { return field_ && field_->is_behind(); }
 
