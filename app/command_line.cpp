@@ -266,8 +266,8 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
     return GraphCommand{std::move(draw)};
 }
 
-/// Returns the value of --help-style, if the option is typed. This option is read first, because it needs
-/// neither a scene nor an output, and the rest of the command line may be invalid.
+/// Returns the value of --help-style, if the option is typed. The option is read before all others, because
+/// it needs neither a scene nor an output. The rest of the command line may be invalid.
 std::optional<StyleManualCommand> style_manual_of(std::span<const char* const> words)
 {
     constexpr std::string_view option = "--help-style";

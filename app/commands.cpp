@@ -151,7 +151,7 @@ void run(const TamCommand& command)
     }
     AtomicFile preview = AtomicFile::file(command.preview, encode_png(map_sheet(map, command.style)));
     save_tonal_art_map(map, command.output);
-    preview.publish(); // Both files, or neither, appear under their final names
+    preview.publish(); // Either both output files appear under their final names, or none
 }
 
 void run(const ViewCommand& command)

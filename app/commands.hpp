@@ -5,8 +5,8 @@
 
 namespace estampe::app {
 
-// Functions that run the commands of the program. Each prints only the requested output to stdout, and throws
-// Error on failure.
+// Functions that run the commands of the program. Each of the functions prints only the requested output to
+// stdout, and throws Error on failure.
 
 void run(const RenderCommand& command);
 void run(const GraphCommand& command);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The first steps of every command that draws: these functions load the scene, choose animation and camera,
-// and check that something is in view.
+// Functions for the first steps of every command that draws. They load the scene, choose animation and
+// camera, and check that something is in view.
 
 #include <span>
 #include <string>
@@ -20,10 +20,11 @@ namespace estampe::app {
 /// Returns whether load_scene_of() returns equal scenes for `a` and `b`.
 [[nodiscard]] bool load_the_same(const DrawOptions& a, const DrawOptions& b);
 
-/// Appends an animation named "all" that plays all animations of the scene together. Its duration is that of
-/// the longest animation; shorter animations hold their last key. If several animations change one property
-/// of one node, the first is used and a warning says so. Returns true if there was no such conflict. Does
-/// nothing for a scene with fewer than two animations, or with an animation named "all".
+/// Appends an animation named "all" that plays all animations of the scene together. The animation "all" is
+/// as long as the longest animation; shorter animations hold their last key. If several animations change one
+/// property of one node, the first is used and a warning says so. Returns true if no two animations change
+/// one property of one node. Does nothing for a scene with fewer than two animations, or with an animation
+/// named "all".
 bool add_all_animations(Scene& scene);
 
 /// Returns the animation that `draw` selects. If no animation has the given name, throws an Error that lists

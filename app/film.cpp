@@ -259,8 +259,8 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add(draw.load.up.value_or(UpAxis::y));
     hash.add(film.first);
     hash.add(film.frames_per_s);
-    // The last frame belongs to the hash: it determines how far each frame of a turntable turns, and what a
-    // view of all movement must contain.
+    // The hash includes the number of the last frame. The number of the last frame determines how far a
+    // turntable turns per frame, and what a view of all movement must contain.
     hash.add(film.last);
     hash.add(film.turntable);
     hash.add(film.flies);
@@ -323,8 +323,8 @@ public:
         Progress progress("film", share(next));
         FilmQueue queue(frames_, writer_ ? &*writer_ : nullptr);
         Clock::time_point kept = Clock::now();
-        // The program checks for a signal once per frame. With two checks, a signal between them would end
-        // the film after a frame whose state was not saved, and the film could not be continued.
+        // The program checks for a signal once per frame. With two checks, a signal between the checks would
+        // end the film after a frame without a saved state. The film could then not be continued.
         bool stops = was_told_to_stop();
         while (next <= film_.last && !stops) {
             progress.show(share(next), fmt::format("frame {} of {}", next, film_.last));
@@ -371,8 +371,8 @@ private:
         }
     }
 
-    /// Returns whether a frame measures the time of each pass; the other frames measure the time of a whole
-    /// frame.
+    /// Returns whether the time of each pass is measured in a frame. In all other frames, the time of the
+    /// whole frame is measured.
     [[nodiscard]] bool times_passes(uint32_t number) const
     {
         constexpr uint32_t every = 4;
@@ -406,7 +406,8 @@ private:
     }
 
     /// Returns the time half an exposure before a frame. For the first frame the function returns the time
-    /// half an exposure after the frame, because the time before it would be the end of a looping animation.
+    /// half an exposure after the frame. The time before the first frame would be the end of a looping
+    /// animation.
     [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number,
                                                      const motion_blur::MotionBlurStyle& style) const
     {

@@ -145,7 +145,7 @@ namespace {
 constexpr uint32_t most_frames = 1000000;
 
 /// Returns the frame number that `text` contains, 1 to most_frames. Returns 0 if `text` is not a number in
-/// this range.
+/// the allowed range.
 uint32_t frame_number(std::string_view text)
 {
     const uint32_t number = number_from<uint32_t>(text).value_or(0);

@@ -267,8 +267,9 @@ public:
     /// Adds --transparent to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
-    /// Translates --transparent into an assignment of paper.transparent, and inserts it before `assignments`,
-    /// so that these can override it. Throws UsageError for an invalid word.
+    /// Translates --transparent into an assignment of the style parameter paper.transparent. The function
+    /// inserts it before `assignments`, so that `assignments` can override it. Throws UsageError for an
+    /// invalid word.
     void assign(std::vector<std::string>& assignments) const;
 
 private:

@@ -47,8 +47,8 @@ bool is_binary_stl(std::string_view beginning, uint64_t size_bytes)
     return size_bytes == head_bytes + triangle_bytes * triangles;
 }
 
-/// Returns whether an OBJ file may begin with this statement. If other formats use the same first word, the
-/// rest of the line must match OBJ too.
+/// Returns whether an OBJ file may begin with this statement. If other formats also begin with the line's
+/// first word, the rest of the line must match OBJ too.
 bool is_obj_statement(Scanner line)
 {
     constexpr std::array<std::string_view, 6> with_numbers{"v", "vn", "vt", "vp", "f", "s"};
@@ -70,8 +70,8 @@ bool is_blank_or_comment(Scanner line)
     return line.is_done() || line.word().starts_with('#');
 }
 
-/// Returns whether the text after the first line is that of an STL file; the word "solid" alone is not
-/// enough, because many binary files begin with it too.
+/// Returns whether the text after the first line is that of an STL text file. The word "solid" alone is not
+/// enough, because many binary STL files also begin with "solid".
 bool is_rest_of_stl(const std::string& text)
 {
     constexpr std::array<std::string_view, 3> words{"facet", "vertex", "endsolid"};
@@ -391,8 +391,8 @@ std::string missing_beside_pipe(const std::vector<std::string>& files, const std
 
 void remove_piped_scenes()
 {
-    // This function does not lock the memory of received scenes, because another thread may hold that lock
-    // for as long as it waits for a pipe.
+    // The function does not lock the list of received scenes. Another thread may hold the lock for as long as
+    // the other thread waits for a pipe.
     const std::lock_guard lock(folders().guard);
     for (const fs::path& path : folders().paths) {
         std::error_code problem;

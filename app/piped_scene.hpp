@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Scenes that come through a pipe: `-`, /dev/stdin, a named pipe, a process substitution of the shell. Their
-// format is detected from their first bytes.
+// Scenes that come through a pipe: `-`, /dev/stdin, a named pipe, a process substitution of the shell. A
+// piped scene's format is detected from its first bytes.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,10 +13,10 @@
 
 namespace estampe::app {
 
-/// Returns the scene format that begins with these bytes, as --input-format names it; empty if no format is
-/// recognised. `size_bytes` is the length of the whole scene, which identifies a binary STL. Text may have
-/// any form that the readers of OBJ and STL accept: UTF-8 or UTF-16, with blank lines and comments before the
-/// first statement.
+/// Returns the scene format that begins with the given bytes, as --input-format names formats; empty if no
+/// format is recognised. `size_bytes` is the length of the whole scene, which identifies a binary STL. Text
+/// may have any form that the readers of OBJ and STL accept: UTF-8 or UTF-16, with blank lines and comments
+/// before the first statement.
 [[nodiscard]] std::string_view sniffed_format(std::string_view beginning, uint64_t size_bytes);
 
 /// Name that the user types instead of a scene's file name to read the scene from standard input.
@@ -47,7 +47,8 @@ inline constexpr const char* standard_input = "-";
                                               const std::string& scene);
 
 /// Removes the temporary folders of piped scenes. Only needed when the program ends without running its
-/// destructors, which remove the folders too. Afterwards no piped scene can be read.
+/// destructors, because the destructors remove the temporary folders too. Afterwards no piped scene can be
+/// read.
 void remove_piped_scenes();
 
 } // namespace estampe::app

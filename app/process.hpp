@@ -20,9 +20,10 @@ void tell_of_signals();
 [[nodiscard]] bool was_told_to_stop();
 
 /// Makes Mesa's CPU drivers compile shaders without optimisation. If no compiled shader is cached, the first
-/// picture then takes half to two thirds of the time. Each frame is drawn a fifth to a half more slowly, with
-/// identical bytes. Sets GALLIVM_PERF unless the user has set it; other drivers ignore it. Call this before a
-/// device is opened and before threads start. Returns whether the variable was set.
+/// picture then takes half to two thirds of the time. Shaders without optimisation draw each frame a fifth to
+/// a half more slowly, with identical bytes. Sets GALLIVM_PERF unless the user has set it; other drivers
+/// ignore it. Call this before a device is opened and before threads start. Returns whether the variable was
+/// set.
 bool compile_quickly();
 
 /// Undoes compile_quickly() in a child process, which inherits the environment variable GALLIVM_PERF. Call

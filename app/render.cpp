@@ -462,7 +462,8 @@ void run(const RenderCommand& command)
     std::vector<double> frames_gpu_ms{renderer.gpu_ms()};
     std::vector<double> later_frames_ms;
     for (uint32_t frame = 1; frame < command.repeat; ++frame) {
-        // Every second frame measures the time of each pass; the others measure the time of a whole frame.
+        // In every second frame, the time of each pass is measured; in all other frames, the time of the
+        // whole frame.
         const bool by_passes = reports && frame % 2 == 0;
         if (frame == 1) {
             frames_gpu_ms.clear();

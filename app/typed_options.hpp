@@ -21,7 +21,8 @@ class App;
 
 namespace estampe::app {
 
-/// The options as the user typed them. Each command fills its part; read_command_line() checks the values.
+/// The options as the user typed them. Each command of the program fills its part of the options;
+/// read_command_line() checks the values.
 struct TypedOptions {
     std::string scene;
     std::string output;

@@ -54,7 +54,7 @@ private:
 void check_has_film(const std::string& scene);
 
 /// Returns the text with which the user sets an option of a world, such as `--world hour=18`. Returns an
-/// empty text if `key` is not such an option. If `value` is empty, the value is unknown.
+/// empty text if `key` is not an option of the world. If `value` is empty, the value is unknown.
 [[nodiscard]] std::string world_option_as_typed(const std::string& key, const std::string& value);
 
 /// Returns the list of worlds for messages: "the worlds: NAME, NAME".

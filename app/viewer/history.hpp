@@ -30,8 +30,8 @@ public:
 
     [[nodiscard]] bool can_redo() const { return now_ + 1 < states_.size(); }
 
-    /// Goes back to the previous state. Only valid if can_undo() returns true; redo() likewise requires
-    /// can_redo().
+    /// Goes back to the previous state. Only valid if can_undo() returns true. redo() is only valid if
+    /// can_redo() returns true.
     const State& undo() { return states_[--now_]; }
 
     const State& redo() { return states_[++now_]; }

@@ -52,7 +52,7 @@ enum class Action : uint8_t {
     none, ///< A line in the list of keys without a command, which describes the pointer
 };
 
-/// One line in the list of the viewer's keys.
+/// A line in the list of the viewer's keys.
 struct KeyHelp {
     Action action;
     int key;          ///< Key as GLFW_KEY_*, or a typed letter, which depends on the keyboard layout

@@ -67,8 +67,8 @@ struct RowEdit {
     bool is_finished = false; ///< The change is complete: a drag has ended, or a value was picked or typed
 };
 
-/// Shows a row of a panel: the name of a parameter, a control of its kind, and a button that resets the
-/// parameter to `base` where it differs.
+/// Shows a row of a panel: the name of a parameter, a control for its kind of value, and a reset button. The
+/// button sets the parameter to its value in `base`, if the values differ.
 [[nodiscard]] RowEdit show_parameter_row(const std::string& section, const style::Parameter& parameter,
                                          const style::Value& held, const style::Value& base);
 

@@ -101,8 +101,9 @@ public:
                       const std::function<void(PictureNews)>& tell) = 0;
 };
 
-/// Draws pictures in a separate thread, so that the window never waits for them. There are two slots for
-/// requests. In each slot only the newest request is drawn, and the thread alternates between the slots.
+/// Draws pictures in a separate thread, so that the window never waits for them. The thread has two slots for
+/// requests of pictures. In each slot only the newest request is drawn, and the thread alternates between the
+/// slots.
 class PictureThread {
 public:
     /// Starts the thread, which opens the renderer. The thread calls `wake` when there is a message.
@@ -164,8 +165,8 @@ private:
     std::thread thread_;
 };
 
-/// A recording of the view. The recording stores camera, time and style instead of pictures, so that a film
-/// made from it has full quality, however slowly the view was drawn.
+/// A recording of the view. The recording stores camera, time and style, not pictures. A film made from the
+/// recording therefore has full quality, however slowly the view was drawn.
 class Take {
 public:
     struct Sample {
@@ -183,9 +184,9 @@ public:
 
     [[nodiscard]] double length_s() const { return samples_.empty() ? 0.0 : samples_.back().at_s; }
 
-    /// Returns the recorded view at a time. The camera is interpolated linearly between two samples, and the
-    /// animation's time too, if it increased. All other values are those of the earlier sample. Requires at
-    /// least one sample.
+    /// Returns the recorded view at a time. The camera is interpolated linearly between two samples. The
+    /// animation's time is interpolated too, if it increased. All values except camera and time are those of
+    /// the earlier of the two samples. Requires at least one sample.
     [[nodiscard]] Sample at(double seconds) const;
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The viewer's window has its own Vulkan device, separate from the renderer's device. The functions of the
-// window's device are kept apart from the functions that the library loads globally: loading a second
+// The viewer's window has its own Vulkan device, separate from the renderer's device. The Vulkan functions of
+// the window's device are kept apart from the functions that the library loads globally. Loading a second
 // instance would replace the global functions while the renderer draws.
 
 #include <optional>

@@ -151,8 +151,8 @@ void Viewer::act(Action action)
     const bool is_of_feet = action == Action::frame_back || action == Action::frame_on ||
                             action == Action::reload || action == Action::play;
     if (is_of_feet && is_on_foot()) {
-        // In walk mode the arrow keys move the walker and Space jumps. Their commands in other modes are not
-        // run.
+        // In walk mode the arrow keys move the walker and Space jumps. The commands that arrow keys and Space
+        // run in other modes are not run.
         return;
     }
     if (act_on_view(action) || act_on_style(action)) {

@@ -10,9 +10,9 @@
 
 namespace estampe::viewer {
 
-/// Shortens the first start of the viewer after an installation: this run compiles shaders without
-/// optimisation, and a process of low priority compiles optimised shaders for the next run. A file in the
-/// user's cache records whether optimised shaders exist, see warmth_file().
+/// Shortens the first start of the viewer after an installation. The first run compiles shaders without
+/// optimisation. A process of low priority compiles optimised shaders for the next run. A file in the user's
+/// cache records whether optimised shaders exist, see warmth_file().
 class WarmUp {
 public:
     /// Decides how this run compiles shaders. Call this before a device is opened and before threads start.

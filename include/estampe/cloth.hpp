@@ -17,8 +17,8 @@ enum class ClothSolver : uint8_t {
     /// non réaliste temps réel", Université Paris 8, 2008, chapter 7). Finer meshes stretch more.
     verlet,
     /// Chen, Liu, Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024: moves one vertex after another to
-    /// the minimum of its part of the energy. Vertices are coloured so that vertices of one colour do not
-    /// depend on each other; these run in parallel.
+    /// the minimum of its part of the energy. Vertices get colour numbers so that vertices of one colour do
+    /// not depend on each other. Vertices of one colour are moved in parallel.
     block_descent,
 };
 

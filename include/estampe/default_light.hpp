@@ -18,7 +18,7 @@ enum class LightChoice : uint8_t {
 };
 
 /// Returns the light source for the view that framing_camera() chooses. For other views, such as from inside
-/// a room, a renderer may choose another light source. Cost: the same as framing_camera().
+/// a room, a renderer may choose another light source. Cost: that of framing_camera().
 [[nodiscard]] LightChoice default_light(const Scene& scene);
 
 } // namespace estampe

@@ -7,8 +7,8 @@
 /// Estampe draws 3D scenes in the manner of drawings by hand.
 namespace estampe {
 
-/// The exception of this library. Its message states in one line what failed, where, and what the user can do
-/// about it.
+/// The exception of this library. The message of the exception states in one line what failed, where, and
+/// what the user can do about it.
 ///
 /// Error is thrown for failures that a correct program cannot exclude: bad input, a missing file, an
 /// unavailable device. Programming mistakes are assertions, and expected failures are return values. `where`

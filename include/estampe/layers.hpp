@@ -59,7 +59,7 @@ struct LayeredImage {
 [[nodiscard]] LinearImage flattened(const LayeredImage& image);
 
 /// Writes the layers and masks as an OpenRaster file, which Krita, GIMP and MyPaint open. Layers are visible,
-/// except the paper of a transparent picture; masks are hidden. All are stored as 8-bit PNG.
+/// except the paper of a transparent picture; masks are hidden. All layers and masks are stored as 8-bit PNG.
 ///
 /// OpenRaster composites sRGB-encoded values, not linear light, so colours and alphas are converted. Where a
 /// changed alpha alone gives the right result, an ink keeps its colour; elsewhere its colour is changed too.

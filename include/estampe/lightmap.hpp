@@ -50,7 +50,7 @@ struct Lightmap {
     std::string geometry;
     float exposure = 1.0F; ///< Factor on the intensity of the scene's lights when the map was baked
     /// Kinds of lights whose direct light is already in the map, as bits of BakedLights. A renderer does not
-    /// add the direct light of these kinds a second time.
+    /// add direct light that is already in the lightmap a second time.
     uint32_t baked_lights = 0;
     std::string settings; ///< Settings of the bake as text
 
@@ -83,11 +83,11 @@ void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 ///     "extensions": {"MOZ_lightmap": {"index": 3, "texCoord": 1, "intensity": 1.0}}
 ///
 /// A uri is relative to the file, or a data uri. Pictures are OpenEXR (linear) or PNG, JPEG, WebP (sRGB).
-/// Instead of such pictures, the scene may name one map made by `estampe bake`. No node or material may then
-/// name a lightmap. KHR_texture_transform is not applied to the UVs. Unknown keys and values are ignored, and
-/// load_scene() warns of unknown keys. Throws Error with file and JSON pointer if a picture is missing or
-/// unreadable, or if a baked map is named beside other lightmaps. Cost: reads the file once more, and decodes
-/// it only if it names lightmaps.
+/// Instead of pictures per node or material, the scene may name one map made by `estampe bake`. No node or
+/// material may then name a lightmap. KHR_texture_transform is not applied to the UVs. Unknown keys and
+/// values are ignored, and load_scene() warns of unknown keys. Throws Error with file and JSON pointer if a
+/// picture is missing or unreadable, or if a baked map is named beside other lightmaps. Cost: reads the file
+/// once more, and decodes it only if it names lightmaps.
 [[nodiscard]] std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file);
 
 /// Reads a lightmap file that save_lightmap() wrote. Throws Error that names the file if the file is missing

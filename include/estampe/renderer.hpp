@@ -177,11 +177,11 @@ public:
     /// TerrainMesh, the triangles of the whole scene are rebuilt.
     void set_terrain(const Terrain& terrain, bool at_once = false);
 
-    /// Presses footprints and drag marks into the terrain at the time of the next picture. These marks change
-    /// the tone of the ground within a square in front of the camera. The wind fills the marks over time; see
-    /// TerrainTrails. Stamps that are not finite or longer than 100 m are ignored. The last 4,096 stamps are
-    /// kept; going back in time deletes them. Throws Error if the scene has no terrain. Cost: one workgroup
-    /// per stamp on the device.
+    /// Presses footprints and drag marks into the terrain at the time of the next picture. Footprints and
+    /// drag marks change the tone of the ground within a square in front of the camera. The wind fills the
+    /// marks over time; see TerrainTrails. Stamps that are not finite or longer than 100 m are ignored. The
+    /// last 4,096 stamps are kept; going back in time deletes them. Throws Error if the scene has no terrain.
+    /// Cost: one workgroup per stamp on the device.
     void press(std::span<const TrailStamp> stamps);
 
     /// Sets the brightness of lights, from the next picture on. The style's settings for a light take
@@ -261,7 +261,8 @@ public:
 
     /// Restores the state that film_memory() returned, so that the next frame can continue the film
     /// (Continuity::follows). The bytes must come from a renderer with the same scene on the same device.
-    /// Throws Error if there is no scene, or if the bytes do not come from such a renderer.
+    /// Throws Error if there is no scene, or if the bytes come from a renderer with another scene or on
+    /// another device.
     void recall_film(std::span<const std::byte> memory);
 
     /// Returns the motion vectors of the last picture, measured from the moment in

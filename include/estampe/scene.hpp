@@ -26,8 +26,8 @@ using Index = uint32_t;
 /// Index that refers to nothing.
 inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
-/// Sixteen light groups, one bit each. A light affects the objects that share a group with it, and is
-/// blocked by the objects that cast shadows for one of its groups.
+/// Sixteen light groups, one bit each. A light affects the objects that share a group with the light. The
+/// light is blocked by the objects that cast shadows for one of the light's groups.
 using Groups = uint16_t;
 /// Default groups of lights and objects.
 inline constexpr Groups all_groups = 0xffff;
@@ -59,9 +59,9 @@ struct Texture {
 };
 
 /// Reference of a material to a texture, with UV set and transform. The texture is sampled at
-/// uv' = transform * (u, v, 1).
+/// `transform * (u, v, 1)`, where u and v are the texture coordinates.
 struct TextureRef {
-    Index texture = no_index; ///< Index of the texture; no_index: the material has no such texture
+    Index texture = no_index; ///< Index of the texture; no_index: the reference is empty
     uint32_t uv_set = 0;      ///< Set of texture coordinates: 0 or 1
     glm::mat3 uv_transform{1.0F};
 };
@@ -233,10 +233,10 @@ struct Light {
     /// Radius of the glowing sphere of a point or spot light; a larger radius gives wider penumbrae, 0 gives
     /// hard shadows. Empty: `shadow.lamp_radius_m` of the style.
     std::optional<float> radius_m;
-    /// Groups of the light: it lights objects whose `lit_by` has one of these groups.
+    /// Groups of the light: the light affects objects that have one of the light's groups in `lit_by`.
     Groups groups = all_groups;
-    /// Groups of the objects that block this light: those whose `casts_for` has one of these groups. 0: the
-    /// light casts no shadows.
+    /// The light is blocked by objects that have one of the groups listed here in `casts_for`. 0: the light
+    /// casts no shadows.
     Groups casters = all_groups;
 
     bool operator==(const Light& other) const = default;
@@ -386,7 +386,7 @@ struct Camera {
 };
 
 /// Returns the camera of the scene's file with this name, or with this index if `name` is a number, placed by
-/// `pose`. Throws Error that lists the names if there is no such camera.
+/// `pose`. Throws Error that lists the names if no camera has this name or index.
 [[nodiscard]] Camera scene_camera(const Scene& scene, const ScenePose& pose, const std::string& name);
 
 /// Direction of the style's sun, for framing_camera(), which leaves room on the page for the shadow that this
@@ -405,13 +405,13 @@ struct SunBearing {
     std::optional<bool> on_blank_ground;
 };
 
-/// Automatic camera: a three-quarter view of the whole scene from slightly above, with a margin. It shows the
-/// side with most detail (the front, +z, unless another side has clearly more), and leaves room for the
-/// ground shadow of the scene's strongest directional light, or else of `sun`. A floor much wider than the
-/// objects on it may extend beyond the page. A room is seen through its open side, or through the wall that
-/// faces the camera. A closed house is seen from a corner inside the house. `aspect` is width / height.
-/// Throws Error if the scene is too large, small or far away to be drawn. Cost: linear in vertices and
-/// triangles, about 0.1 s for half a million.
+/// Automatic camera: a three-quarter view of the whole scene from slightly above, with a margin. The
+/// automatic camera shows the side with most detail: the front, +z, unless another side has clearly more. The
+/// camera leaves room for the ground shadow of the scene's strongest directional light, or else of `sun`. A
+/// floor much wider than the objects on it may extend beyond the page. A room is seen through its open side,
+/// or through the wall that faces the camera. A closed house is seen from a corner inside the house. `aspect`
+/// is width / height. Throws Error if the scene is too large, small or far away to be drawn. Cost: linear in
+/// vertices and triangles, about 0.1 s for half a million.
 [[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect,
                                     const SunBearing& sun = {});
 

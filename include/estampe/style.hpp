@@ -61,8 +61,8 @@ public:
     [[nodiscard]] double window_aspect(uint32_t width, uint32_t height) const;
 
     /// Returns the manual of all parameters: name, type, range, default, unit and one line of help for each.
-    /// `section` is the name of one section, such as "hatch"; empty for all sections. Throws Error if there
-    /// is no such section.
+    /// `section` is the name of one section, such as "hatch"; empty for all sections. Throws Error if the
+    /// style has no section of that name.
     [[nodiscard]] static std::string help(std::string_view section = {});
 
     /// Returns a JSON schema (2020-12) of all style parameters, with which editors complete and check style

@@ -147,9 +147,10 @@ public:
                                                 double reach_m, double time_s = 0.0) const;
 
     /// Sets the content of the node `mask("name", ...)` of the height graph: `heights` has one number per
-    /// texel, in rows along +x from the corner at -size / 2, with as many texels per side as the graph says.
-    /// Throws Error for an unknown name or a wrong number of texels. Earlier copies of the terrain keep their
-    /// content; pass the terrain to Renderer::set_terrain() to show the change.
+    /// texel, in rows along +x. The first row begins at the corner with the smallest x and z. The graph says
+    /// how many texels a side has. Throws Error for an unknown name or a wrong number of texels. Earlier
+    /// copies of the terrain keep their content; pass the terrain to Renderer::set_terrain() to show the
+    /// change.
     void paint_mask(std::string_view mask, const std::vector<float>& heights);
 
     /// The compiled height graph, as an internal program. For the library only.

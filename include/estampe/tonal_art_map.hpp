@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Tonal art maps: precomputed textures of strokes. A style hatches with them if it says `hatch.strokes=map`.
+// Tonal art maps: precomputed textures of strokes. A style hatches with tonal art maps if it sets
+// `hatch.strokes=map`.
 
 #include <cstdint>
 #include <filesystem>

@@ -93,8 +93,8 @@ struct PlotterWork {
     double lifted_mm = 0.0;
 };
 
-/// Computes how far a plotter's pen travels. The plotter draws the strokes in their order, but all strokes of
-/// one pen before those of the next pen.
+/// Computes how far a plotter's pen travels. The plotter draws the strokes in the drawing's order, but all
+/// strokes of one pen before the strokes of the next pen.
 [[nodiscard]] PlotterWork plotter_work(const VectorDrawing& drawing);
 
 /// Prepares a drawing for a plotter, whose pens have one width each. Hatching thinner than half its usual

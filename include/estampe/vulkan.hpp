@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Drawing on a Vulkan device of the host application. This is the only header with Vulkan types.
+// Drawing on a Vulkan device of the host application. Only this header of the library has Vulkan types.
 
 #include <vulkan/vulkan_core.h>
 

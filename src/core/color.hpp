@@ -12,7 +12,7 @@
 
 namespace estampe {
 
-/// Relative luminance of a linear Rec. 709 colour; the formula is the same as in shaders/color.glsl.
+/// Relative luminance of a linear Rec. 709 colour. shaders/color.glsl has the same formula.
 [[nodiscard]] inline float luminance(const glm::vec3& linear)
 {
     return glm::dot(linear, glm::vec3(0.2126F, 0.7152F, 0.0722F));

@@ -21,8 +21,8 @@ public:
     /// does not exist or is not writable.
     [[nodiscard]] static AtomicFile file(const std::filesystem::path& target);
 
-    /// Creates a temporary file with these bytes. Throws Error as the overload without bytes does, and if the
-    /// disk is full.
+    /// Creates a temporary file with the given bytes. Throws Error as the overload without bytes does, and if
+    /// the disk is full.
     [[nodiscard]] static AtomicFile file(const std::filesystem::path& target,
                                          std::span<const std::byte> bytes);
 

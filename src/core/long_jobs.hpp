@@ -13,7 +13,7 @@ namespace estampe {
 inline constexpr std::launch launch_if_possible = std::launch::async | std::launch::deferred;
 
 /// Receives the progress of long jobs that run in the current thread, until it is destroyed. Each thread can
-/// have only one at a time. Jobs report with report_progress().
+/// have only one ProgressWatch at a time. Jobs report with report_progress().
 class ProgressWatch {
 public:
     /// Starts to receive progress. `go_on` receives the share of the job that is done, 0 to 1, and returns

@@ -221,7 +221,7 @@ void put_pixel(const std::array<float, 4>& samples, const FloatLayout& layout, u
 }
 
 /// Returns whether the samples of a TIFF are floats of 16, 32 or 64 bits, grey or RGB, in strips and
-/// interleaved. libtiff does not convert these to bytes.
+/// interleaved. libtiff does not convert floats to bytes.
 bool has_float_samples(TIFF* tiff)
 {
     uint16_t format = SAMPLEFORMAT_UINT;

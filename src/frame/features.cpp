@@ -29,7 +29,7 @@ template <typename T>
 void append(std::vector<std::byte>& bytes, const T& value)
 {
     const size_t begin = bytes.size();
-    // This form of copying avoids a false warning that GCC 12 gives for insert() with -O3.
+    // resize() and memcpy() avoid a false warning that GCC 12 gives for insert() with -O3.
     bytes.resize(begin + sizeof(value));
     std::memcpy(bytes.data() + begin, &value, sizeof(value));
 }

@@ -18,7 +18,7 @@ struct FrameBuffers {
     /// light spreads.
     gpu::Buffer map_frame_globals;
     gpu::Buffer half_frame_globals; ///< FrameGlobals of the page at half resolution
-    /// Style variant of each draw call; only used if the plan has several variants.
+    /// Style variant of each draw call; only used if the picture's plan has several style variants.
     gpu::Buffer variant_of_draw;
     /// Subsurface parameters per style variant; only used if surfaces scatter light below them.
     gpu::Buffer subsurface_parameters;
@@ -32,7 +32,8 @@ struct FrameJob {
     paper::Accumulation accumulation;
     bool is_first = true;                    ///< the frame is the first of its picture
     std::optional<features::PixelRect> tile; ///< part of the page to draw; none: the whole page
-    std::optional<features::Survey> survey; ///< the whole page at reduced resolution, if such a page is drawn
+    /// The frame draws the whole page at reduced resolution; none: at full resolution.
+    std::optional<features::Survey> survey;
     /// If not null, the frame outputs strokes as paths into this list instead of pixels.
     StrokeLists* lists = nullptr;
     /// If not null, the frame outputs floats into this page in addition to bytes.

@@ -18,8 +18,8 @@
 namespace estampe::frame {
 namespace {
 
-/// Counts how many samples of each pixel show each object. Most pixels show a single object, so the count of
-/// the first object is stored in an array, and only the counts of other objects in a map.
+/// Counts how many samples of each pixel show each object. Most pixels show a single object. The count of the
+/// first object is stored in an array; only the counts of further objects are in a map.
 class Shares {
 public:
     explicit Shares(size_t pixel_count) : first_(pixel_count), first_count_(pixel_count) {}

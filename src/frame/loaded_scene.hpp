@@ -68,8 +68,8 @@ struct LoadedScene {
 /// Returns the pose of the scene at a time, including the nodes that the calling program has placed.
 [[nodiscard]] ScenePose pose_at(LoadedScene& loaded, double time_s, Index animation);
 
-/// Moves nodes to the places that the calling program gives. If one of these nodes was treated as static, the
-/// meshes are rebuilt. Throws Error for an invalid node or place.
+/// Moves nodes to the places that the calling program gives. If a node that the program placed was treated as
+/// static, the meshes are rebuilt. Throws Error for an invalid node or place.
 void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodePlace> places, double time_s);
 
 /// Rebuilds the meshes of the loaded scene according to its objects' light links, and discards everything

@@ -2,8 +2,8 @@
 #pragma once
 
 // The page: the output of a picture, in bytes or in floats, as a whole or by layers. The page may be drawn in
-// tiles. All plans are made for the whole page. A tile is a window into the page: it has the same camera with
-// a cropped projection, and an offset of its first pixel.
+// tiles. All plans are made for the whole page. A tile is a window into the page. A tile has the page's
+// camera with a cropped projection, and the offset of the tile's first pixel.
 
 #include <cstdint>
 #include <optional>

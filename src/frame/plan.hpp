@@ -150,8 +150,8 @@ struct FramePlan {
     std::optional<features::SmokePlan> smoke;
 };
 
-/// The part of a picture's plan that differs between samples and tiles. Results of the first sample stay on
-/// the device, and the other samples reuse them.
+/// The part of a picture's plan that differs between samples and tiles. Results of the picture's first sample
+/// stay on the device, and later samples reuse the results.
 struct SamplePlan {
     paper::Accumulation accumulation;
     bool is_first = true;             ///< no sample or tile of the picture has been drawn yet
@@ -186,13 +186,13 @@ struct PlanInputs {
     sky::CloudMemory& clouds;
 };
 
-/// Returns the plan of the same page at lower resolution: pixels are `shrink` times as large in each
+/// Returns the picture's plan for the page at lower resolution. Pixels are `shrink` times as large in each
 /// direction, and the page has `size_px` pixels. Shadows and lights stay unchanged.
 [[nodiscard]] FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px,
                                     const features::StyleTables& style);
 
 /// Approximate distance between sample points along a line. On a page that is `shrink` times smaller, the
-/// distance is shorter, so that lines have the same shape as on the full page.
+/// distance is shorter, so that lines have the shape that they have on the full page.
 [[nodiscard]] inline float line_step_px(uint32_t shrink)
 {
     return std::max(3.0F / static_cast<float>(shrink), 1.0F);

@@ -136,7 +136,7 @@ void Renderer::Impl::posed()
 
 namespace {
 
-/// Returns the FrameGlobals (camera and page) with which a square texture atlas is lit instead of the page.
+/// Returns the FrameGlobals (camera and page) for lighting a square texture atlas, not the page.
 shared::FrameGlobals map_globals(const shared::FrameGlobals& globals, uint32_t size)
 {
     shared::FrameGlobals of_map = globals;
@@ -255,8 +255,8 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     plan.ink = features.ink.ensure(device, executor, ink_inputs(seen_by, tables, settings), notes);
     plan.smoke = plan_smoke(plan, tables, settings);
     frame::ensure_page(device, buffers.page, plan.page_px, settings.samples);
-    // Later samples of a picture differ from its first sample by a pixel at most. Their lines are not stored
-    // for the next frame of a film.
+    // Later samples of a picture differ from its first sample by a pixel at most. The lines of later samples
+    // are not stored for the next frame of a film.
     plan.lines.are_remembered =
         is_of_film && features.lines.meshes().ensure(device, loaded->layout, plan.variants.lines) != nullptr;
     if (plan.lines.are_remembered) {

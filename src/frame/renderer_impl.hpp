@@ -33,8 +33,8 @@ struct Renderer::Impl {
         : options(std::move(renderer_options)), device(options), executor(device),
           raster_path(raster::choose_path(device, executor, options.raster))
     {
-        // With validation, Vulkan objects get names through global function pointers, which must not be
-        // replaced by those of a second Vulkan instance.
+        // With validation, Vulkan objects get names through global function pointers. The pointers of a
+        // second Vulkan instance must not replace the global ones.
         if (device.info().software && !options.validation) {
             ahead = std::make_unique<gpu::CompileAhead>(options);
         }
@@ -110,7 +110,7 @@ struct Renderer::Impl {
     /// Uploads the data that the lighting shaders read.
     void upload_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                          const features::StyleTables& tables);
-    /// Uploads those data of lighting and lines that depend on the size of a pixel.
+    /// Uploads the data of lighting and lines that depend on the size of a pixel.
     void upload_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables);
     void ensure_variants(const frame::FramePlan& plan);
     /// Creates the texture atlases over all surfaces that the style requires.

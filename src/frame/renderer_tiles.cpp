@@ -22,7 +22,7 @@ constexpr uint64_t most_survey_pixels = uint64_t{1} << 27U;
 constexpr uint64_t bytes_a_pixel = 160;
 
 /// Largest number of pixels of the survey, which draws the whole page at a lower resolution. The survey may
-/// use half of the device's memory; data that all tiles share needs the other half.
+/// use half of the device's memory. Data that all tiles share needs the remaining half.
 uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limits)
 {
     return std::min({limits.pixels, most_survey_pixels, device.memory().whole_bytes() / (2 * bytes_a_pixel)});

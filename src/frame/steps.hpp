@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The steps of a frame. Each step passes inputs to a technique and returns its outputs. A step declares
-// passes; the passes run later. Resource handles are arguments and results of steps. FrameContext holds
-// everything that is known before the frame begins.
+// The steps of a frame. Each step passes inputs to a technique and returns the technique's outputs. A step
+// declares passes; the passes run later. Resource handles are arguments and results of steps. FrameContext
+// holds everything that is known before the frame begins.
 
 #include <optional>
 
@@ -165,11 +165,11 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
                                              const surface::Surface& surface, gpu::ImageId sky_wash,
                                              const haze::HazeLayers& layers);
 
-/// Applies the lens to the layers, if the plan has one.
+/// Applies the blur of the lens to the layers, if the picture's plan has a lens.
 [[nodiscard]] lens::LensLayers add_lens(const FrameContext& context, const surface::Surface& surface,
                                         const haze::HazeLayers& layers, const Colors& colors);
 
-/// Applies motion blur to the layers, if the plan has it.
+/// Applies motion blur to the layers, if the picture's plan has motion blur.
 [[nodiscard]] motion_blur::MotionBlurLayers
 add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                 const surface::Surface& surface, const haze::HazeLayers& layers, const Colors& colors);

@@ -216,8 +216,8 @@ motion_blur::MotionBlurLayers add_motion_blur(const FrameContext& context, const
     }
     const gpu::ImageId own_motion =
         motion::add_motion(context.graph, motion_inputs(context, scene, visibility, plan->motion));
-    // Both matrices contain the sample's subpixel jitter, so that the jitter cancels out and only the motion
-    // of the object remains.
+    // The matrices of the two moments contain the sample's subpixel jitter. The jitter then cancels out, and
+    // only the motion of the object remains.
     const glm::mat4 shifted_before(glm::dmat4(context.sample.clip_from_anchor) *
                                    glm::inverse(glm::dmat4(plan->motion.clip_from_anchor)) *
                                    glm::dmat4(plan->motion.clip_from_anchor_before));

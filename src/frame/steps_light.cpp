@@ -17,8 +17,8 @@ std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const
     if (!context.loaded.terrain || !context.plan.sun.ground.is_thrown) {
         return std::nullopt;
     }
-    // If there are several samples or tiles, only the first one computes the terrain's shadow, and the others
-    // reuse it.
+    // If there are several samples or tiles, the terrain's shadow is computed only for the first sample or
+    // tile, and then reused.
     const SamplePlan& sample = context.sample;
     const bool is_picture = sample.accumulation.sample_count == 1 && sample.size_px == context.plan.page_px;
     return context.features.shadows.ground().record(
@@ -31,8 +31,8 @@ std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const
          .clip_from_anchor = is_picture ? std::optional(sample.clip_from_anchor) : std::nullopt});
 }
 
-/// Returns the share of sunlight that is not blocked by terrain, clouds and smoke. These are not in the
-/// shadow map.
+/// Returns the share of sunlight that is not blocked by terrain, clouds and smoke. The sun's shadow map does
+/// not contain terrain, clouds and smoke.
 std::optional<gpu::ImageId> add_sun_share(const FrameContext& context, const PosedScene& scene,
                                           const surface::Surface& surface,
                                           const std::optional<smoke::Volume>& volume)

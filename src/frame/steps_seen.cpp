@@ -26,7 +26,8 @@ bool wants_cluster_bounds(const FrameContext& context)
             context.loaded.layout.opaque.count >= plan.tuning.clusters_from);
 }
 
-/// Draws the surfaces behind clear bodies such as glass, if there are any, for colour and for lines.
+/// Draws the surfaces behind clear bodies, for colour and for lines, if the scene has clear bodies such as
+/// glass.
 void add_backgrounds(const FrameContext& context, const PosedScene& scene, SeenThrough& screen)
 {
     const std::optional<SubsurfacePlan>& plan = context.plan.subsurface;

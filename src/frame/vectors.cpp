@@ -151,7 +151,8 @@ private:
         return ink_left_at(page_px) >= least_ink_left;
     }
 
-    /// Adds the stroke to the drawing if it has at least two points. Then clears the stroke's points.
+    /// Adds the stroke to the drawing if it has at least two points. Afterwards the function clears the
+    /// stroke's points.
     void add_line(VectorStroke& stroke)
     {
         if (stroke.points.size() > 1) {

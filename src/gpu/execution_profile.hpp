@@ -10,8 +10,9 @@ namespace estampe::gpu {
 
 /// A GPU runs thousands of threads in parallel, and the threads of a workgroup in lockstep. A CPU (the
 /// software driver lavapipe) runs a few workgroups in parallel, and the threads of a workgroup one after
-/// another; each barrier in a shader makes the CPU loop over these threads once more. Each member function is
-/// one choice that depends on this difference. Device::execution() returns the profile.
+/// another. Each barrier in a shader makes the CPU loop over the threads of a workgroup once more. Each
+/// member function is a choice that depends on whether the device is a GPU or a CPU. Device::execution()
+/// returns the profile.
 struct ExecutionProfile {
     bool is_processor = false;
 

@@ -35,7 +35,7 @@ public:
     MemoryAllocator(const MemoryAllocator&) = delete;
     MemoryAllocator& operator=(const MemoryAllocator&) = delete;
 
-    /// Allocates memory. Throws Error if the device has too little free memory of this kind.
+    /// Allocates memory. Throws Error if the device has too little free memory of the kind that `use` needs.
     [[nodiscard]] Allocation allocate(const VkMemoryRequirements& needs, MemoryUse use, bool for_image);
     void free(const Allocation& allocation);
 

@@ -178,7 +178,8 @@ public:
 
 private:
     struct Function {
-        /// Basic blocks of the function. The first block is the entry; each block includes its label.
+        /// Basic blocks of the function. The function's first block is its entry; each block includes the
+        /// block's label.
         std::vector<std::vector<Instruction>> blocks;
         std::optional<uint64_t> operations;
     };

@@ -168,8 +168,8 @@ VkImageUsageFlags usage_for(Format format)
 }
 
 /// Returns a buffer size, at least `size_bytes`, in which bits 8 to 15 are never zero. Mesa's software driver
-/// misreads these bits of a texel buffer's size as a number of mip levels, and recompiles a shader when they
-/// change between zero and non-zero.
+/// misreads bits 8 to 15 of a texel buffer's size as a number of mip levels. The driver recompiles a shader
+/// when the misread bits change between zero and non-zero.
 uint64_t storage_size(uint64_t size_bytes)
 {
     return (size_bytes & 0xff00U) == 0 ? size_bytes + 256 : size_bytes;

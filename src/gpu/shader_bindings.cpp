@@ -119,8 +119,8 @@ TexelKind texel_kind(const Module& module, uint32_t type)
     return component.operands[2] != 0 ? TexelKind::signed_whole : TexelKind::unsigned_whole;
 }
 
-/// Converts an OpTypeImage to a binding. Its operands are: result, component, dimensions, depth, arrayed,
-/// multisampled, sampled, format.
+/// Converts an OpTypeImage to a binding. The operands of OpTypeImage are: result, component, dimensions,
+/// depth, arrayed, multisampled, sampled, format.
 Binding image_binding(const Module& module, Operands image)
 {
     const bool is_sampled_image = image[6] == image_is_sampled;

@@ -13,7 +13,7 @@ namespace estampe::gpu {
 namespace {
 
 /// Adds a new buffer of zeros. If `zeros_from` is not 0, the buffer begins with `words`, and the zeros begin
-/// at `zeros_from`. A GPU runs the two commands for this one after the other.
+/// at `zeros_from`. A GPU runs the commands that write the words and the zeros one after the other.
 BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, const glm::uvec4& words,
                    uint64_t zeros_from)
 {

@@ -10,9 +10,9 @@
 
 namespace estampe::output {
 
-/// A child process that reads data from this program. It does not receive the terminal's signals, so it can
-/// complete its output when this program is interrupted. Only one thread may use a Child. The destructor ends
-/// the process if it is still running.
+/// A child process that reads data from this program. The child process does not receive the terminal's
+/// signals, so it can complete its output when the parent program is interrupted. Only one thread may use a
+/// Child. The destructor ends the process if it is still running.
 class Child {
 public:
     /// Starts the process. Throws Error, with `to_install` as remedy, if the program is not installed.

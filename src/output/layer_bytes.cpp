@@ -20,8 +20,8 @@ namespace {
 /// A colour whose components are integers, as in compositing programs.
 using Numbers = glm::ivec3;
 
-/// Composite at one pixel of all layers processed so far. It is stored twice, as two kinds of programs
-/// compute it.
+/// Composite at one pixel of all layers processed so far. The composite is stored twice, because two kinds of
+/// programs compute it differently.
 struct Laid {
     Numbers rounded{0};    ///< Composite in a program that rounds to integers after every layer
     glm::dvec3 exact{0.0}; ///< Composite in a program that works in floats; in the same unit as `rounded`
@@ -66,9 +66,10 @@ double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& p
     return length_2 > least_way * least_way ? glm::dot(laid.exact - wanted.exact, way) / length_2 : share;
 }
 
-/// Returns the colour and alpha of a layer of ink or paint that turns the composite `laid` into `wanted`.
-/// `paint` is the premultiplied colour and alpha of the ink or paint, in linear light. The paint's colour is
-/// kept if some alpha gives the wanted result, and changed otherwise. Updates `laid` to the composite.
+/// Returns the colour and alpha of a layer of ink or paint that turns `laid` (the composite of the layers
+/// below) into `wanted`. `paint` is the premultiplied colour and alpha of the ink or paint, in linear light.
+/// The paint's colour is kept if some alpha gives the wanted result, and changed otherwise. Updates `laid` to
+/// the composite with the new layer.
 glm::ivec4 covering(Laid& laid, const Wanted& wanted, const glm::vec4& paint, const Arithmetic& in)
 {
     if (paint.w <= 0.0F) {
@@ -121,8 +122,8 @@ glm::ivec4 straight(const glm::vec4& page, const glm::vec3& paper, const Arithme
 
 namespace {
 
-/// Returns the colour and alpha of a layer with the blend mode multiply. The layer changes the composite of
-/// the layers below, `laid`, into `wanted`.
+/// Returns the colour and alpha of a layer with the blend mode multiply. The layer changes `laid` (the
+/// composite of the layers below) into `wanted`.
 glm::ivec4 multiplying(Laid& laid, const Wanted& wanted, const Arithmetic& in)
 {
     glm::ivec4 pixel(in.top());
@@ -211,8 +212,8 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
     check_opaque(image.layers.front());
     const Arithmetic in(bits);
     LinearImage stage = image.layers.front().image;
-    // In a transparent picture, the paper layer is replaced by a flat colour, because the user's own paper
-    // does not have the relief of this paper.
+    // In a transparent picture, a flat colour replaces the paper layer, because the user's own paper does not
+    // have the relief of the paper layer.
     if (image.paper) {
         std::ranges::fill(stage.pixels, glm::vec4(*image.paper, 1.0F));
     }

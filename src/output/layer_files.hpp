@@ -13,8 +13,8 @@
 
 namespace estampe::output {
 
-/// Encode the files of save_openraster() and save_layers_exr(). Both functions throw Error as these two do,
-/// but without a file name.
+/// Encode the files of save_openraster() and save_layers_exr(), and throw Error in the same cases as the save
+/// functions, but without a file name.
 [[nodiscard]] std::vector<std::byte> encode_openraster(const LayeredImage& image);
 [[nodiscard]] std::vector<std::byte> encode_layers_exr(const LayeredImage& image, ExrNumbers numbers);
 

@@ -19,9 +19,9 @@ namespace estampe::output {
 /// Returns an sRGB profile of ICC version 4, about 600 bytes; always the same bytes.
 [[nodiscard]] const std::vector<std::byte>& srgb_profile();
 
-/// Encode the files of save_jpeg(), save_webp(), save_png() and save_exr(). They throw Error as these
-/// functions do, but without a file name. `dots_per_m` is the print resolution, stored if the format allows
-/// it; 0: not stored.
+/// Encode the files of save_jpeg(), save_webp(), save_png() and save_exr(). The encoders throw Error in the
+/// same cases as the save functions, but without a file name. `dots_per_m` is the print resolution, stored if
+/// the format allows it; 0: not stored.
 [[nodiscard]] std::vector<std::byte> encode_jpeg(const Image& image, int quality, uint32_t dots_per_m = 0);
 [[nodiscard]] std::vector<std::byte> encode_webp(const Image& image, std::optional<int> quality);
 [[nodiscard]] std::vector<std::byte> encode_deep_png(const LinearImage& image, uint32_t dots_per_m = 0);

@@ -14,9 +14,10 @@
 
 namespace estampe::output {
 
-/// Removes strokes and parts of strokes that repeat an earlier stroke of the same ink. A part repeats a
-/// stroke if it runs in the same direction at a distance of less than a third of its width. A stroke may be
-/// split. Crossing strokes stay complete. Cost: linear in points.
+/// Removes strokes and parts of strokes that repeat an earlier stroke of the same ink. A part of a stroke
+/// repeats an earlier stroke if it runs in the direction of the earlier stroke, at a distance of less than a
+/// third of its width. If only a part of a stroke is removed, the stroke is split. Crossing strokes stay
+/// complete. Cost: linear in points.
 void remove_overlaps(VectorDrawing& drawing);
 
 /// Cuts hidden strokes into dashes.
@@ -41,8 +42,9 @@ struct PenStep {
 [[nodiscard]] double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> order,
                                const glm::vec2& origin);
 
-/// Orders all strokes for a short pen travel. First, the stroke with the nearest end always comes next. Then
-/// 2-opt reverses parts of the order while this shortens the travel, with at most `turn_budget` comparisons.
+/// Orders all strokes for a short pen travel. First, the stroke with the nearest end always comes next.
+/// Afterwards the method 2-opt reverses parts of the order while a reversal shortens the pen's travel, with
+/// at most `turn_budget` comparisons.
 [[nodiscard]] std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
                                                   uint64_t turn_budget);
 

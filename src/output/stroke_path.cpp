@@ -124,8 +124,8 @@ Worst worst_of(std::span<const dvec2> points, const Cubic& curve, std::span<cons
     return worst;
 }
 
-/// A part of a line: the points from `first` to `last`, and the tangents at both ends, which point towards
-/// the other end.
+/// A part of a line: the points from `first` to `last`, and a tangent at each end. Each tangent points
+/// towards the opposite end.
 struct Span {
     size_t first = 0;
     size_t last = 0;

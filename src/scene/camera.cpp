@@ -169,8 +169,8 @@ std::string list_cameras(const Scene& scene)
     return fmt::format("cameras of the scene: {}; or {}", list, other_forms);
 }
 
-/// Finds the node of the camera called `name`, which is the name of the camera or of its node. If there is no
-/// such name, `name` is read as the index of a camera.
+/// Finds the node of the camera called `name`, which is the name of the camera or of its node. If no camera
+/// has the name, `name` is read as the index of a camera.
 Index find_camera_node(const Scene& scene, const std::string& name)
 {
     const Index number = number_from<Index>(name).value_or(no_index);

@@ -276,7 +276,7 @@ ViewPoints thinned(const ViewPoints& points)
     return few;
 }
 
-/// The inner part of the picture. A point inside it cannot be one of the outermost points.
+/// The inner part of the picture, in which none of the outermost points can lie.
 struct Core {
     glm::dvec2 min{std::numeric_limits<double>::infinity()};
     glm::dvec2 max{-std::numeric_limits<double>::infinity()};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The readers of all scene formats. Each reader has its own folder. load_scene() selects the reader.
+// The readers of all scene formats. Each reader of a file format has its own folder. load_scene() selects the
+// reader.
 
 #include <cstddef>
 #include <filesystem>
@@ -69,8 +70,8 @@ namespace estampe {
 /// Assimp runs in a child process with limits on time and memory, so that a file that crashes or hangs Assimp
 /// only causes an Error here. The indices, numbers and node tree of the result are checked. Bad triangles,
 /// bad normals and closed parts of meshes that are inside out are repaired, with a line in Scene::warnings.
-/// Smooth normals are computed if the file has none. All materials are double-sided, because these formats do
-/// not specify sides. Throws Error naming the file.
+/// Smooth normals are computed if the file has none. All materials are double-sided, because FBX and COLLADA
+/// do not specify sides. Throws Error naming the file.
 [[nodiscard]] Scene load_with_assimp(const std::filesystem::path& path);
 
 } // namespace estampe

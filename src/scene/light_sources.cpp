@@ -15,8 +15,8 @@ float share_along(const SpotBeam& beam, const glm::vec3& along)
 {
     float cosine = glm::dot(along, beam.direction);
     if (beam.shape == SpotShape::pyramid) {
-        // The direction is outside the pyramid if the larger of its angles to the pyramid's two axes is too
-        // large.
+        // The direction is outside the pyramid if the larger of the direction's angles to the pyramid's two
+        // axes is too large.
         const float aside = std::max(std::abs(glm::dot(along, beam.side)),
                                      std::abs(glm::dot(along, glm::cross(beam.side, beam.direction))));
         cosine /= std::sqrt(std::max(cosine * cosine + aside * aside, 1e-12F));

@@ -31,8 +31,8 @@ struct PosedPrimitive {
 void visit_posed(const Scene& scene, const ScenePose& pose,
                  const std::function<void(const PosedPrimitive&)>& visit);
 
-/// Like visit_posed(), but visits only every n-th vertex. n is the smallest number for which fewer than twice
-/// `about` vertices are visited. Cost: linear in visited vertices.
+/// Like visit_posed(), but visits only every n-th vertex. Here n is the smallest step between visited
+/// vertices for which fewer than twice `about` vertices are visited. Cost: linear in visited vertices.
 void visit_posed_samples(const Scene& scene, const ScenePose& pose, size_t about,
                          const std::function<void(const PosedPrimitive&)>& visit);
 

@@ -30,7 +30,8 @@ void add_triangle(Primitive& mesh, uint32_t a, uint32_t b, uint32_t c)
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-/// Adds a rectangle that starts at `corner` and extends along `right` and `up`. It faces cross(right, up).
+/// Adds a rectangle that starts at `corner` and extends along `right` and `up`. The rectangle faces the
+/// direction cross(right, up).
 void add_face(Primitive& mesh, const glm::vec3& corner, const glm::vec3& right, const glm::vec3& up)
 {
     const glm::vec3 normal = glm::normalize(glm::cross(right, up));
@@ -157,8 +158,8 @@ Primitive box(const glm::vec3& size)
     add_face(mesh, corner, z, y);
     add_face(mesh, corner + y + z, x, -z);
     add_face(mesh, corner, x, z);
-    // Different sums of edges give slightly different coordinates for the same corner. Rounding makes these
-    // coordinates identical.
+    // Different sums of edges give slightly different coordinates for the same corner. Rounding makes the
+    // coordinates of one corner identical.
     for (glm::vec3& p : mesh.positions)
         p = {p.x < 0.0F ? -half.x : half.x, p.y < half.y ? 0.0F : size.y, p.z < 0.0F ? -half.z : half.z};
     return mesh;

@@ -21,8 +21,8 @@ struct SideChange {
 };
 
 /// Returns the second fundamental form (curvature; xx, xy, yy) of a triangle by least squares, in inverse
-/// units of the positions. The form is positive on a sphere. It is zero if the determinant of the normal
-/// equations, relative to its largest possible value, is not above `least_determinant`.
+/// units of the positions. The form is positive on a sphere. The form is zero if the determinant of the
+/// normal equations is too small: at most `least_determinant` times the largest possible value.
 ///
 /// Source  Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004
 [[nodiscard]] glm::dvec3 second_form(const std::array<SideChange, 3>& sides, double least_determinant);

@@ -158,7 +158,8 @@ std::optional<UpAxis> guess_up_axis(const Scene& scene)
     const Ends z = along_z.ends();
     const double base_y = std::max(y.base_outward, y.base_inward);
     // A room that is open to the viewer has a back wall, which also faces inwards, at the lower end of the z
-    // axis. Such a room also has a floor at the lower end of the y axis, which shows that y is up.
+    // axis. A room that is open to the viewer also has a floor at the lower end of the y axis. The floor
+    // shows that y is up.
     constexpr double floor_share = 0.3;
     const double base_z = base_y < floor_share ? std::max(z.base_outward, z.base_inward) : z.base_outward;
     const double score_y = common_score(along_y) + base_y - y.top;

@@ -16,9 +16,9 @@ void turn_up(Scene& scene, UpAxis up);
 /// a flat base or stands on the plane through the origin, and terrain faces the sky. Intended for file
 /// formats that do not specify their up axis (.obj, .ply, .stl).
 ///
-/// Returns `UpAxis::y` or `UpAxis::z` when the evidence for one axis is clearly stronger. Returns nothing
-/// otherwise, such as for a cube centred at the origin or a head without a base. Cost: linear in vertices and
-/// triangles.
+/// Returns `UpAxis::y` or `UpAxis::z` when the evidence for one axis is clearly stronger. Returns nothing if
+/// the evidence is weak, as for a cube centred at the origin or a head without a base. Cost: linear in
+/// vertices and triangles.
 [[nodiscard]] std::optional<UpAxis> guess_up_axis(const Scene& scene);
 
 } // namespace estampe

@@ -108,8 +108,9 @@ public:
         return true;
     }
 
-    /// Returns whether some part of the triangle is inside all planes. This test is slower than excludes(),
-    /// but exact: a large triangle can be out of view although its corners are outside of different planes.
+    /// Returns whether some part of the triangle is inside all planes. The function is slower than
+    /// excludes(), but exact: a large triangle can be out of view although its corners are outside of
+    /// different planes.
     [[nodiscard]] bool holds_part_of(const std::array<glm::dvec3, 3>& corners) const
     {
         std::vector<glm::dvec4> polygon(corners.size());

@@ -10,9 +10,9 @@ struct Barycentric {
 };
 
 // Computes barycentric weights by homogeneous edge functions (Olano and Greer, "Triangle Scan Conversion
-// using 2D Homogeneous Coordinates", 1997). These functions do not divide by w, so triangles that cross the
-// plane of the eye require no clipping. Corners are first made relative to the pixel, so that the cross
-// products are precise for very small and very large triangles.
+// using 2D Homogeneous Coordinates", 1997). The functions below do not divide by w (the fourth homogeneous
+// coordinate), so triangles that cross the plane of the eye require no clipping. Corners are first made
+// relative to the pixel, so that the cross products are precise for very small and very large triangles.
 Barycentric barycentric_at(vec4 a, vec4 b, vec4 c, vec2 position_px, uvec2 size_px)
 {
     vec2 ndc = 2.0 * position_px / vec2(size_px) - 1.0;

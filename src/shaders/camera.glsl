@@ -5,7 +5,8 @@
 #include "shaders/frame.glsl.h"
 #include "shaders/unit.glsl"
 
-// Normalised device coordinates of a page position in pixels; y points down in both.
+// Normalised device coordinates of a page position in pixels. The y axis points down in normalised device
+// coordinates and on the page.
 vec2 ndc_at(vec2 position_px, uvec2 size_px)
 {
     return 2.0 * position_px / vec2(size_px) - 1.0;
@@ -17,8 +18,8 @@ vec2 page_place(FrameGlobals frame, vec2 position_px)
     return position_px + vec2(frame.tile_from_px);
 }
 
-// The point in anchor space that is seen at `position_px` with reversed depth `depth`. At infinity depth is
-// 0; pass a small positive value instead.
+// The point that is seen at `position_px` with reversed depth `depth`, in anchor space (relative to an origin
+// near the camera). At infinity depth is 0; pass a small positive value instead.
 vec3 anchor_at(FrameGlobals frame, vec2 position_px, float depth)
 {
     vec4 p = frame.anchor_from_clip * vec4(ndc_at(page_place(frame, position_px), frame.page_px), depth, 1.0);

@@ -41,9 +41,10 @@ vec3 light_tint(vec3 light)
     return (light + 1e-3) / (max(light.r, max(light.g, light.b)) + 1e-3);
 }
 
-// Conversion of a transparent picture to bytes. Programs composite such pictures in sRGB-encoded values,
-// where coverage computed in linear light would give bolder strokes. So alpha and colour are chosen such that
-// the result over the drawing's own paper is the opaque drawing. output/layer_bytes.cpp does this on the CPU.
+// Conversion of a transparent picture to bytes. Programs composite transparent pictures in sRGB-encoded
+// values, where coverage computed in linear light would give bolder strokes. Alpha and colour are therefore
+// chosen so that the transparent picture over the drawing's own paper equals the opaque drawing.
+// output/layer_bytes.cpp has the CPU version of the conversion.
 
 // Smallest alpha with which some colour turns the colour `below` into `wanted`; channels are 0 to 1.
 float least_alpha(vec3 below, vec3 wanted)
@@ -75,7 +76,8 @@ uint straight_srgb_bytes(vec3 paper, vec3 color, float page_alpha, vec3 shown)
     vec3 below = srgb_from_linear(clamp(paper, 0.0, 1.0));
     vec3 pigment = srgb_from_linear(clamp(page.rgb / page.a, 0.0, 1.0));
     // If pigment and paper differ by less than this value, alpha is the pigment's coverage of the pixel. If
-    // they differ by more, alpha is chosen so that the pigment comes nearest to the wanted colour.
+    // pigment and paper differ by more, alpha is chosen so that the pigment comes nearest to the wanted
+    // colour.
     const float least_way = 0.02;
     vec3 way = below - pigment;
     float length_2 = dot(way, way);

@@ -10,8 +10,8 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Two lines that bound the texels to compute. A texel is inside if dot(side, texel) + offset is at least 0
-// for both lines. All zeros include every texel.
+// Two lines that bound the texels to compute. A texel is inside if `dot(side, texel) + offset` is at least 0
+// for each of the two lines; `side` is a line's normal. If all values are zero, every texel is inside.
 struct FieldSector {
     vec2 sides[2];   // normals of the two lines, pointing inside
     vec2 offsets[5]; // offsets of both lines, for each height field

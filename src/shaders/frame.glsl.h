@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_FRAME_GLSL_H
 #define ESTAMPE_FRAME_GLSL_H
-// Camera and page data for all passes of a frame. Anchor space is world space, translated to a point near
-// the scene so that float precision is sufficient.
+// Camera and page data for all passes of a frame. Anchor space is world space moved so that its origin is
+// near the scene; floats are then precise enough.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {

@@ -7,7 +7,7 @@
 
 struct Layers {
     vec4 wash;
-    float hatch; // ink of strokes, including those of the sky, where no surface is visible
+    float hatch; // ink of strokes, including strokes of the sky, where no surface is visible
     vec4 lines;  // contour lines: square roots of the colour, and coverage
 };
 

@@ -14,7 +14,7 @@ SHARED_CONSTANT uint light_has_local_lights = 1U << 1U;
 SHARED_CONSTANT uint light_has_emissive = 1U << 2U;
 SHARED_CONSTANT uint light_has_links = 1U << 3U;
 SHARED_CONSTANT uint light_has_lists = 1U << 4U;
-// For tests: outputs numbers of lights evaluated, and of those within range.
+// For tests: outputs how many lights were evaluated, and how many of the evaluated lights were within range.
 SHARED_CONSTANT uint light_counts_visits = 1U << 5U;
 SHARED_CONSTANT uint light_keeps_strongest = 1U << 6U;
 SHARED_CONSTANT uint light_looks_at_all = 1U << 7U; // for tests: evaluates every light at every pixel

@@ -12,9 +12,9 @@ struct LineOwner {
     float depth;
 };
 
-// Finds the surface that a contour line belongs to. Half of a line's width is outside its surface, which is
-// the nearest surface in `depth_image` within the pen's reach. At pixels without a line, only the pixel
-// itself is sampled.
+// Finds the surface that a contour line belongs to. One half of a line's width lies outside the line's
+// surface. The line's surface is the nearest surface in `depth_image` within the pen's reach. At pixels
+// without a line, only the pixel itself is sampled.
 LineOwner owner_of(ivec2 pixel, float line_cover, float reach_px, ivec2 last)
 {
     LineOwner owner = LineOwner(pixel, -1.0);

@@ -4,14 +4,16 @@
 
 #include "shaders/hash.glsl"
 
-// Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v, for whole numbers i. The
-// spacing S is a power of two in the unit of v, chosen from the page width and the darkness t so that S t
-// lies between one and two widths. Lines of the coarser spacing (old lines) have the full width W. Lines
-// between them (newborn lines) have the remaining ink, t S - W. So the ink is t at every distance and tilt.
-// Coming nearer only adds lines, as does a darker tone. Nested strokes are from Praun et al., "Real-Time
-// Hatching", SIGGRAPH 2001.
+// Dyadic line hatching: strokes are iso-lines of a surface coordinate v, at whole multiples of a spacing. The
+// spacing is a power of two in the unit of v. The spacing is chosen from the stroke width on the page and the
+// darkness, so that spacing times darkness lies between one and two stroke widths. Lines of the coarser
+// spacing (old lines) have the full stroke width. Lines between old lines (newborn lines) have the remaining
+// ink: spacing times darkness, less the stroke width. The ink therefore equals the darkness at every distance
+// and tilt. Coming nearer only adds lines, as does a darker tone. Nested strokes are from Praun et al.,
+// "Real-Time Hatching", SIGGRAPH 2001.
 
-// Powers of two by bit operations, for x above 0: exact, and much cheaper than exp2 and log2.
+// Powers of two by bit operations, for an argument x above 0: exact, and much cheaper than the GLSL functions
+// exp2 and log2.
 float power_of_two(int exponent)
 {
     return intBitsToFloat((exponent + 127) << 23);
@@ -27,11 +29,12 @@ int ceil_log2(float x)
     return ((floatBitsToInt(x) + 0x7fffff) >> 23) - 127;
 }
 
-// Random identity of the line or cell boundary with the number i = odd * 2^level. The identity stays
-// unchanged at every zoom.
+// Random identity of the line or cell boundary with the number i, which is an odd number times a power of
+// two. The identity stays unchanged at every zoom.
 uint dyadic_identity(int i, int level, uint seed)
 {
-    // The exponent of the lowest set bit of i, read from its float representation.
+    // The exponent of the lowest set bit of the line number i, read from the float representation of that
+    // bit.
     int shift = (floatBitsToInt(float(i & -i)) >> 23) - 127;
     uint number =
         i == 0 ? 0x5bd1e995u : uint(i >> (shift & 31)) * 0x9e3779b1u ^ uint(level + shift) * 0x85ebca77u;
@@ -39,14 +42,15 @@ uint dyadic_identity(int i, int level, uint seed)
 }
 
 // Number that stands for a line and all equivalent lines, for a coordinate that is only known up to integers
-// and sign. `i` is the i-th of `count` lines per unit (a power of two).
+// and sign. The argument `i` is the line's index among `count` lines per unit; `count` is a power of two.
 int folded(int i, int count)
 {
     int inside = ((i - 1) & (count - 1)) + 1;
     return inside == count ? count : min(inside, count - inside);
 }
 
-// One of several independent random numbers in [0, 1) of a line's identity.
+// A random number from 0 to 1, made from a line's identity; one line can have several independent random
+// numbers.
 float trait(uint identity, uint which)
 {
     return unit_float(identity * (2u * which + 0x9e3779b1u) ^ (which * 0x632be5abu));
@@ -59,7 +63,7 @@ float wave(float x)
     return y * (8.0f - 16.0f * abs(y));
 }
 
-// Smooth step from 0 to 1 at x = 0; `breadth` is the width of the transition.
+// Smooth step from 0 to 1 where the argument x is 0; `breadth` is the width of the transition.
 float soft_step(float x, float breadth)
 {
     float y = clamp(x / max(breadth, 1e-3f) + 0.5f, 0.0f, 1.0f);
@@ -68,11 +72,11 @@ float soft_step(float x, float breadth)
 
 struct LineField {
     float v;        // coordinate across the strokes, whose iso-lines are the strokes
-    float v_per_px; // length of the gradient of v, per pixel of the page
+    float v_per_px; // length of the gradient of the coordinate v, per pixel
     float u;        // coordinate along the strokes
-    float u_per_px; // change of u per pixel along the stroke
-    vec2 wander; // two coordinates that vary along the stroke, in the unit of u; the wobble depends on them
-    bool wraps;  // v and u are only known up to integers and sign
+    float u_per_px; // change of the coordinate u per pixel along the stroke
+    vec2 wander;    // two coordinates along the stroke, in the unit of u, for the strokes' wobble
+    bool wraps;     // the coordinates v and u are only known up to integers and sign
 };
 
 struct HatchLineStyle {
@@ -92,7 +96,7 @@ struct HatchLineStyle {
 struct Lines {
     int level; // logarithm to base 2 of the lines' spacing
     float spacing;
-    float width;   // width of an old line, in the unit of v
+    float width;   // width of an old line (of the coarser spacing), in the unit of v
     float newborn; // ink of a newborn line (between two old lines) as a share of an old line's ink, 0 to 1
 };
 
@@ -101,8 +105,8 @@ Lines lines_of(LineField field, float width_px, float darkness)
 {
     Lines lines;
     lines.width = width_px * max(field.v_per_px, 1e-12f);
-    // On a surface seen edge-on, v is constant on the page; so the spacing is limited to keep line numbers
-    // countable.
+    // On a surface seen edge-on, the coordinate v across the strokes is constant on the page. The spacing is
+    // therefore limited, to keep line numbers countable.
     lines.level = max(ceil_log2(lines.width / darkness), ceil_log2(max(abs(field.v), 1e-6f)) - 24);
     lines.level = field.wraps ? min(lines.level, 0) : lines.level;
     lines.spacing = power_of_two(lines.level);
@@ -114,19 +118,20 @@ Lines lines_of(LineField field, float width_px, float darkness)
 
 uint line_identity(LineField field, Lines lines, int number, uint seed)
 {
-    // Number of lines per unit of v: 2 / spacing.
+    // Number of lines per unit of v (the coordinate across the strokes): 2 / spacing.
     int count = 1 << clamp(1 - lines.level, 0, 30);
     return dyadic_identity(field.wraps ? folded(number, count) : number, lines.level, seed);
 }
 
 // Values that the hatching lines of one family (a set of parallel lines) share at a pixel.
 struct LineScale {
-    // Cells of the wobble per unit of u, a power of two; a wave is about two cells long.
+    // Cells of the wobble per unit of u (the coordinate along the strokes), a power of two. A wave is about
+    // two cells long.
     float wobble_frequency;
     float wobble_fade; // share of the blend towards twice the wobble's wavelength
     float wobble_px;
     float pressure;
-    float cell; // length in u of a cell, which is a piece of a line between two gaps
+    float cell; // length of a cell (a piece of a line between two gaps), in the coordinate u
     int cell_level;
     float cell_growth; // degree to which the gaps at half cells are open
     float gap_scale;
@@ -163,8 +168,8 @@ float wobble(LineField field, LineScale scale, uint identity)
     return 1.15f * scale.wobble_px * mix(wave(fine + phase), wave(0.5f * fine + phase), scale.wobble_fade);
 }
 
-// Mean opening of the gaps at cell boundaries, as a share of the largest opening. One in four boundaries has
-// no gap. 0 if the lines have no gaps.
+// Mean opening of the gaps at cell boundaries, as a share of the largest opening. One in four cell boundaries
+// has no gap. 0 if the lines have no gaps.
 float mean_opening(HatchLineStyle style, float gap_scale)
 {
     return style.gap_px > 0.0f ? 0.75f * gap_scale : 0.0f;
@@ -176,10 +181,11 @@ float kept_share(HatchLineStyle style, float gap_scale)
     return 1.0f - mean_opening(style, gap_scale) * (style.gap_px + style.taper_px) / style.cell_px;
 }
 
-// Width factor along a hatching line: 0 in gaps, rising to 1 over the taper. The line is divided along u into
-// cells with a gap at their boundaries; the length of a cell is a power of two in u, one to two cell_px on
-// the page. In darker tones and with distance, gaps shrink to a third and then close one after another. Each
-// gap closes almost suddenly, because a nearly closed gap would be a white speck.
+// Width factor along a hatching line: 0 in gaps, rising to 1 over the taper. The line is divided along the
+// coordinate u into cells with gaps between the cells. The length of a cell is a power of two in u, and one
+// to two times `cell_px` on the page. In darker tones and with distance, gaps shrink to a third and then
+// close one after another. Each gap of a line closes almost suddenly, because a nearly closed gap would be a
+// white speck.
 float stroke_profile(LineField field, HatchLineStyle style, LineScale scale, uint identity)
 {
     float u = field.u + 16.0f * trait(identity, 3u);
@@ -201,8 +207,8 @@ float stroke_profile(LineField field, HatchLineStyle style, LineScale scale, uin
 }
 
 // Width factor along a newborn line (between two old lines) with `share` of its ink, drawn as strokes that
-// grow one after another: 0 or 1 with soft ends. The strokes keep their places in u while the line is
-// newborn.
+// grow one after another: 0 or 1 with soft ends. The strokes keep their places along the line while the line
+// is newborn.
 float grown_profile(LineField field, HatchLineStyle style, Lines lines, uint identity, float share)
 {
     const float spread = 0.5f; // share of the growth during which a single stroke grows
@@ -254,7 +260,7 @@ DrawnLines drawn_lines(LineField field, HatchLineStyle style, float dark)
     return drawn;
 }
 
-// Width of the i-th hatching line at the pixel, in the unit of v.
+// Width of hatching line number i at the pixel, in the unit of v (the coordinate across the strokes).
 float drawn_width(LineField field, HatchLineStyle style, DrawnLines drawn, int i, uint identity)
 {
     bool is_old = (i & 1) == 0;
@@ -271,8 +277,8 @@ float line_ink(LineField field, HatchLineStyle style, float dark, uint seed)
 {
     float g = max(field.v_per_px, 1e-12f);
     DrawnLines drawn = drawn_lines(field, style, dark);
-    // Half the range in v of lines that may touch the pixel; at most four lines, because lines keep their
-    // distance.
+    // Half the range of the coordinate v within which lines may touch the pixel. The range has at most four
+    // lines, because lines keep their distance.
     float reach =
         0.5f * drawn.lines.width * (1.0f + drawn.scale.pressure) + g * (1.15f * drawn.scale.wobble_px + 0.5f);
     int first = int(ceil(2.0f * (field.v - reach) / drawn.lines.spacing));

@@ -18,8 +18,8 @@ int loop_rounds(int count, int not_negative)
     return count + min(not_negative, 0);
 }
 
-// A rectangle of cells or pixels, with both ends included, for one loop over all rows. Its size is unknown
-// at compile time, which prevents unrolling, so the loop body is compiled once.
+// A rectangle of cells or pixels, with both ends included, for one loop over all rows. The size of the
+// rectangle is unknown at compile time, which prevents unrolling, so the loop body is compiled once.
 
 struct Cells {
     ivec2 low;

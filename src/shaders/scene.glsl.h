@@ -12,7 +12,7 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint no_skin = 0xffffffffU;
 
-// Flags of a DrawRecord. This flag means that the mesh has UVs.
+// Flags of a DrawRecord. The flag `draw_has_uv` means that the mesh has UVs.
 SHARED_CONSTANT uint draw_has_uv = 1U;
 SHARED_CONSTANT uint draw_follows_uv = 2U; // the UVs are suitable for strokes
 SHARED_CONSTANT uint draw_mirrored = 4U;   // the draw call's transform mirrors the mesh
@@ -58,7 +58,7 @@ struct DrawRecord {
     uint object; // number of the node; outlines are drawn around all primitives of one object
     uint vertex_count;
     uint first_skin_vertex; // first SkinVertex of the mesh; no_skin for a rigid mesh
-    uint first_joint; // index of the first joint matrix; the matrices lead from bind pose to anchor space
+    uint first_joint;       // index of the first joint matrix (from bind pose to anchor space)
     uint first_morph_offset;
     uint morph_target_count;
     uint first_morph_weight;
@@ -67,7 +67,8 @@ struct DrawRecord {
     uint groups;
 };
 
-// A posed vertex: position in anchor space, and a normal packed as in RestVertex.
+// A posed vertex: position in anchor space (relative to an origin near the camera), and a normal packed as in
+// RestVertex.
 struct PosedVertex {
     vec3 position;
     uint normal;
@@ -82,7 +83,8 @@ SHARED_CONSTANT uint material_paper = 2U;
 SHARED_CONSTANT uint material_emissive = 4U;
 SHARED_CONSTANT float least_cover = 0.02F; // smallest alpha with which a transparent surface is visible
 
-// Location of a texture, and transform of its coordinates: uv' = column_u * u + column_v * v + offset.
+// Location of a texture, and the transform of texture coordinates u and v: the texture is sampled at
+// `column_u * u + column_v * v + offset`.
 struct TextureSlot {
     // no_texture, or bits: size class 0-3, layer 4-23, UV set 24, wrap mode of u 25-26, of v 27-28.
     uint location;

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_SQUARE_TILES
 #define ESTAMPE_SQUARE_TILES
 
-// Reads a list of tiles of square images (see tiles.glsl.h). Each tile is processed by one group of 256
-// threads, and each thread processes four texels of a row per round. Requires SQUARE_TILES_BINDING.
+// Reads a list of tiles of square images (see tiles.glsl.h). Each tile is processed by a group of 256
+// threads. Each thread processes four texels of a row per round. Requires SQUARE_TILES_BINDING.
 
 #include "shaders/tiles.glsl.h"
 

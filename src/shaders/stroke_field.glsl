@@ -19,7 +19,8 @@ struct StrokeAxes {
 };
 
 // Normals of the parallel planes that slice a solid into strokes, for each layer. Where a surface is nearly
-// parallel to these planes, a second family of strokes with the level axis replaces the first.
+// parallel to the planes, a second family of strokes, with planes whose normals level_axis() returns,
+// replaces the first family.
 vec3 slice_axis(uint layer)
 {
     return layer == 0u   ? vec3(0.2998, 0.8995, -0.3198)
@@ -57,8 +58,8 @@ vec3 along_light(StrokeAxes axes, uint family)
 }
 
 // Normals of planes that are tilted against the wind, so that strokes show the form of slopes. Level ground
-// gets lines along its ripples, which bend where it rises or falls; slip faces (lee sides of dunes) get
-// oblique lines down the slope.
+// gets lines along its ripples. The lines bend where the ground rises or falls. Slip faces (lee sides of
+// dunes) get oblique lines down the slope.
 vec3 along_slope(vec2 wind, uint layer, bool is_level)
 {
     vec3 across = across_wind(wind, layer);

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_STROKE_KIND_GLSL_H
 #define ESTAMPE_STROKE_KIND_GLSL_H
 // The direction that a surface's strokes follow: three bits of the pixel's word in the draw image, which also
-// holds the draw call. All kinds except uv, form and page slice the rest pose by planes, and differ in these
-// planes.
+// holds the draw call. The kinds of strokes other than uv, form and page slice the rest pose by planes. These
+// kinds differ in the planes.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {

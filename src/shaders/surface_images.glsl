@@ -30,7 +30,8 @@ uint strokes_of(uint word)
     return (word >> DRAW_STROKES_SHIFT) & 7u;
 }
 
-// Whether a pixel shows no surface, or blank paper. No line is drawn between two such pixels.
+// Whether a pixel shows no surface, or blank paper. No line is drawn between two pixels without surface or of
+// blank paper.
 bool is_paper(uint word)
 {
     return word == 0u || (word & DRAW_PAPER) != 0u;

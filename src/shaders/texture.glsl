@@ -8,8 +8,8 @@
 // `sampler2DArray texture_class_0` to `_4`, and TEXTURE_CLASSES, the specialization bits of the classes that
 // contain textures. CPUs execute every branch that remains, so branches of unused classes are removed.
 
-// Texture coordinate after the wrap mode. The sampler repeats. The other modes must keep half a texel away
-// from the border, otherwise the filter would read across it.
+// Texture coordinate after the wrap mode. The sampler repeats textures. In the wrap modes clamp and mirror,
+// coordinates must keep half a texel away from the border; otherwise the filter would read across the border.
 float wrap_coordinate(float x, uint mode, float half_texel)
 {
     if (mode == 0u) {

@@ -13,7 +13,7 @@ layout(scalar, binding = TILE_LIST_BINDING) coherent buffer TileList
 };
 
 // Reserves entries for `tiles` tiles, at least one, and returns the index of the first entry. All threads
-// contend for the counter, so reserve several tiles with one call.
+// contend for the counter of tiles, so reserve several tiles with one call.
 uint list_room(uint tiles)
 {
     uint first = atomicAdd(tile_list[tile_list_count], tiles);

@@ -13,7 +13,7 @@ ivec2 pixel_of_tile(ivec2 tile, int side, int i)
 // A tile in the neighbourhood of another tile.
 struct TileAbout {
     ivec2 tile;
-    ivec2 away;    // distance from the other tile in tiles, along each axis
+    ivec2 away;    // distance from the middle tile of the neighbourhood, in tiles, along each axis
     ivec2 between; // number of tiles between the two tiles, along each axis
 };
 

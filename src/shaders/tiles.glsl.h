@@ -18,8 +18,8 @@ SHARED_CONSTANT uint tile_list_first = 4U; // index of the word that holds the f
 // Number of workgroups in a row of the dispatch; lists may be longer than a row.
 SHARED_CONSTANT uint tile_list_groups = 64U;
 
-// A list of tiles of square images, one word per tile: image from bit 16 on, the tile's row in bits 8-15, its
-// column in 0-7.
+// A list of tiles of square images, with one 32-bit word per tile: the image's number from bit 16 on, the
+// tile's row in bits 8-15, the tile's column in bits 0-7.
 
 SHARED_CONSTANT uint square_tile_texels = 64U; // texels per side of a tile of square images
 

@@ -131,8 +131,8 @@ constexpr std::array changed_keys{
     Pair{"wind.direction_deg",
          "write wind.towards_deg = 90 - direction_deg, which counts from +z like all bearings"}};
 
-/// Words with which other programs name parameters, sorted. Each is compared with the last word of an unknown
-/// key.
+/// Words with which other programs name parameters, sorted. Each name in the list is compared with the last
+/// word of an unknown key.
 constexpr std::array foreign_words{Pair{"alpha", "paper.transparent"},
                                    Pair{"ambient_occlusion", "occlusion.enabled"},
                                    Pair{"ao", "occlusion.enabled"},

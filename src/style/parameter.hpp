@@ -251,25 +251,25 @@ public:
         return *this;
     }
 
-    /// Allows the parameters of these keys to differ between materials and between objects.
+    /// Allows the parameters with the given keys to differ between materials and between objects.
     Table& by_surface(const std::vector<std::string>& keys)
     {
         return allow(Overridable::by_surface, keys, true);
     }
 
-    /// Allows all parameters except these keys to differ between materials and between objects.
+    /// Allows all parameters except the given keys to differ between materials and between objects.
     Table& by_surface_but(const std::vector<std::string>& keys)
     {
         return allow(Overridable::by_surface, keys, false);
     }
 
-    /// Allows the parameters of these keys to differ between objects.
+    /// Allows the parameters with the given keys to differ between objects.
     Table& by_object(const std::vector<std::string>& keys)
     {
         return allow(Overridable::by_object, keys, true);
     }
 
-    /// Allows all parameters except these keys to differ between objects.
+    /// Allows all parameters except the given keys to differ between objects.
     Table& by_object_but(const std::vector<std::string>& keys)
     {
         return allow(Overridable::by_object, keys, false);
@@ -332,8 +332,8 @@ struct Surfaces {
 /// Returns whether `name` matches `pattern` with its wildcards.
 [[nodiscard]] bool matches(const std::string& pattern, const std::string& name);
 
-/// A parameter's value on some surfaces, which replaces the parameter's value for the whole picture there. If
-/// several overrides apply to a surface, the last one is used.
+/// An override: a parameter's value on some surfaces, used there in place of the value for the whole picture.
+/// If several overrides apply to a surface, the last one is used.
 struct Override {
     Surfaces surfaces;
     std::string section;

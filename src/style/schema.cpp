@@ -64,8 +64,8 @@ std::vector<std::string> parts_of(const std::string& style_name)
     std::vector<std::string> parts;
     size_t begin = 0;
     while (begin <= style_name.size()) {
-        // Splits a style's name at '+'. A part is the longest prefix that is an existing file, otherwise the
-        // text up to the next '+'.
+        // Splits a style's name at '+'. A part of a style's name is the longest prefix that is an existing
+        // file. If no prefix is a file, the part is the text up to the next '+'.
         size_t end = style_name.size();
         while (end != std::string::npos && end > begin && !is_file(style_name.substr(begin, end - begin))) {
             end = style_name.rfind('+', end - 1);
@@ -258,8 +258,8 @@ private:
                     meant.empty() ? manual : fmt::format("did you mean {}?", in_quotes(meant)));
     }
 
-    /// Suggests a key for an unknown name: first the present key of a former or foreign name, then the same
-    /// key in another section, then a key with similar spelling.
+    /// Suggests a key for an unknown name: first the present key of a former name or of another program's
+    /// name, then the same key in another section, then a key with similar spelling.
     [[nodiscard]] std::string suggestion(const std::string& name, const std::string& key) const
     {
         std::vector<std::string> names;

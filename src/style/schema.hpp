@@ -38,7 +38,7 @@ struct Source {
 };
 
 /// Finds the style text for the name of a preset or file. `from` is the Source::name of the text that names
-/// it in `extends`; empty for the first text. Throws Error when there is no such text.
+/// it in `extends`; empty for the first text. Throws Error when no style text has the name.
 using Resolver = std::function<Source(const std::string& name, const std::string& from)>;
 
 /// Finds a style text by name: a preset or addition of that name, otherwise a file, relative to the folder of
@@ -73,7 +73,7 @@ class AnySchema {
 public:
     /// Returns the manual of a style: one paragraph per section, one line per parameter, with key, type,
     /// range, default and help in columns. `section` is the name of one section, or empty for all sections.
-    /// Throws Error with the nearest name when there is no such section.
+    /// Throws Error with the nearest name when the style has no section of the name.
     [[nodiscard]] std::string help(std::string_view section = {}) const;
 
     /// Returns a JSON schema (draft 2020-12) of style files, for editors.

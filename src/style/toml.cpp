@@ -69,7 +69,7 @@ struct ScanStop {
 /// end of the text.
 ScanStop end_of_string(std::string_view text, size_t at)
 {
-    // The last three quotes close the string; quotes before these belong to the string.
+    // The last three quotes close the string; earlier quotes belong to the string.
     constexpr size_t most_closing = 5;
     const char quote = text[at];
     const std::string three(3, quote);
@@ -109,9 +109,10 @@ size_t first_not_utf8(std::string_view text)
     return at;
 }
 
-/// Finds the first non-ASCII character that toml++ cannot read, or the end of `text`. Such a character is
-/// outside strings and comments, where TOML allows none, or at the beginning of a joined line of a string,
-/// where toml++ 3.3 has undefined behaviour. A byte order mark at the beginning is skipped.
+/// Finds the first non-ASCII character that toml++ cannot read, or the end of `text`. A rejected non-ASCII
+/// character is outside strings and comments, where TOML allows none, or at the beginning of a joined line of
+/// a string. At that beginning, toml++ 3.3 has undefined behaviour. A byte order mark at the beginning is
+/// skipped.
 ScanStop first_bare_beyond_ascii(std::string_view text)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -133,8 +134,8 @@ ScanStop first_bare_beyond_ascii(std::string_view text)
     return {at};
 }
 
-/// Thrown when an assertion in toml++ fails. This happens for `[=`, which toml++ reads as a table header
-/// without a name.
+/// Thrown when an assertion in toml++ fails. For example, an assertion fails for `[=`, which toml++ reads as
+/// a table header without a name.
 struct ParserLost : std::exception {};
 
 [[noreturn]] void lose_parser()

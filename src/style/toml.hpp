@@ -49,7 +49,8 @@ struct Document {
 /// Parses `text` as a TOML value; returns nothing if `text` is not a value.
 [[nodiscard]] std::optional<Raw> parse_toml_value(std::string_view text);
 
-/// Makes a value from a word without quotes. The option --set accepts such words for names and colours.
+/// Makes a value from a word without quotes. The option --set accepts words without quotes for names and
+/// colours.
 [[nodiscard]] Raw raw_word(std::string_view text);
 
 /// Converts the value `raw` to a value of `parameter`, which messages call `name`. Throws Error when the type

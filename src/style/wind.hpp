@@ -29,7 +29,7 @@ struct WindStyle {
 
 [[nodiscard]] const style::Table<WindStyle>& wind_table();
 
-/// The mean wind. It is copied to those sections of a style that have no wind of their own.
+/// The mean wind. The mean wind is copied to the sections of a style that have no wind of their own.
 struct Wind {
     float speed_m_per_s = WindStyle().speed_m_per_s;
     /// Direction towards which the wind blows, in degrees: 0 is +z, 90 is +x.

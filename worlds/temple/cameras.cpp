@@ -358,8 +358,8 @@ Flight::Flight(const estampe::Scene& scene, uint64_t seed)
         const double part = (time_s - passed_s[k - 1]) / std::max(passed_s[k] - passed_s[k - 1], 1e-9);
         return glm::mix(way[k - 1], way[k], glm::clamp(part, 0.0, 1.0));
     };
-    // The camera looks at a point ahead on its path. Far from the temple it looks at the temple, and at the
-    // end of the path it looks up to the opening in the roof.
+    // The camera looks at a point ahead on its path. Far from the temple the camera looks at the temple, and
+    // at the end of the path the camera looks up to the opening in the roof.
     const int count = static_cast<int>(length_s * keys_a_s) + 1;
     std::vector<glm::dvec3> eyes;
     std::vector<glm::dvec3> looks;

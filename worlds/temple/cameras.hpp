@@ -28,8 +28,8 @@ struct Viewpoint {
     float vertical_fov_deg = 45.0F;
 };
 
-/// Returns viewpoints, ordered from outside the temple to the last hall. Each eye is at standing height above
-/// the ground or floor.
+/// Returns viewpoints, ordered from outside the temple to the last hall. Each camera's eye is at standing
+/// height above the ground or floor.
 [[nodiscard]] std::vector<Viewpoint> find_viewpoints(const Plan& plan, const Site& site,
                                                      const estampe::Terrain& desert);
 

@@ -163,8 +163,8 @@ void Demon::move(float most_m_per_s)
 
 void Demon::keep_in_haunt()
 {
-    // The demon is pushed out of obstacles several times, because pushing it out of a pillar may push it into
-    // a wall, and vice versa.
+    // The demon is pushed out of obstacles several times, because a push out of a pillar may end in a wall,
+    // and a push out of a wall in a pillar.
     for (int round = 0; round < 4; ++round) {
         for (const glm::vec3& pillar : haunt_.pillars) {
             const glm::vec2 off = place_m_ - glm::vec2(pillar);
@@ -173,7 +173,7 @@ void Demon::keep_in_haunt()
                 const glm::vec2 out = near_m > 1e-3F ? off / near_m : glm::vec2(1.0F, 0.0F);
                 place_m_ = glm::vec2(pillar) + (pillar.z + 1e-3F) * out;
                 velocity_m_s_ -= std::min(glm::dot(velocity_m_s_, out), 0.0F) * out;
-                // Moves the demon around the pillar instead of against it.
+                // Moves the demon around the pillar, not against the pillar.
                 velocity_m_s_ += 0.6F * dt * glm::vec2(-out.y, out.x);
             }
         }

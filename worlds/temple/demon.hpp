@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The demons of the temple: beings of ink and smoke. This file simulates the behaviour of one demon and the
-// motion of its body, in steps of a sixtieth of a second. The same input always gives the same motion.
+// The demons of the temple: beings of ink and smoke. The file declares the simulation of a demon's behaviour
+// and of its body's motion, in steps of a sixtieth of a second. The same input always gives the same motion.
 
 #include <array>
 #include <cstdint>

@@ -65,8 +65,8 @@ void add_vertex(Primitive& part, const glm::vec3& place, const glm::vec2& uv, co
     part.weights_0.emplace_back(1.0F - hold.share, hold.share, 0.0F, 0.0F);
 }
 
-/// Adds a band of triangles between two rows of vertices. The second row is stored directly after the first.
-/// The band is closed to a ring.
+/// Adds a band of triangles between two rows of vertices. The second row of vertices is stored directly after
+/// the first row. The band is closed to a ring.
 void add_band(Primitive& part, uint32_t first, uint32_t columns)
 {
     for (uint32_t i = 0; i < columns; ++i) {

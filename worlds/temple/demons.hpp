@@ -20,8 +20,8 @@
 namespace temple {
 
 /// Returns the grounds on which the demons move, one per demon. Cells come first, shut cells before open
-/// ones. The others are one in the last hall, and some in the court, on the avenue, by the giant statue and
-/// in the dunes.
+/// ones. One more demon is in the last hall, and some are in the court, on the avenue, by the giant statue
+/// and in the dunes.
 [[nodiscard]] std::vector<Haunt> find_haunts(const Plan& plan, const Site& site);
 
 class Demons {

@@ -22,8 +22,8 @@ using estampe::shapes::rod;
 /// number generators", 2014). The standard library's distributions would differ between implementations.
 class Dice {
 public:
-    /// Starts the random numbers of one `part` of a seed. Each part has its own numbers, so that changing one
-    /// part leaves the others unchanged.
+    /// Starts the random numbers of one `part` of a seed. Each part of the temple has its own random numbers,
+    /// so that a change of one part leaves all other parts unchanged.
     explicit Dice(uint64_t seed, uint64_t part = 0) : state_(mixed(seed) ^ mixed(~part)) {}
 
     [[nodiscard]] uint64_t number()
@@ -63,8 +63,8 @@ enum class Stuff : estampe::Index { stone, paving, marble, dark, iron, flame, re
 struct Grain {
     glm::vec3 along{1.0F, 0.0F, 0.0F};
     glm::vec3 up{0.0F, 1.0F, 0.0F};
-    /// Shift of the strokes. It differs between stones, so that the strokes of neighbouring stones do not
-    /// line up.
+    /// Shift of the strokes. The shift differs between stones, so that the strokes of neighbouring stones do
+    /// not line up.
     glm::vec2 offset_m{0.0F};
 };
 

@@ -46,11 +46,12 @@ struct Plume {
     int room = 0;
 };
 
-/// Finds the columns of smoke over two braziers in the entrance and two in the last hall: in each of these
+/// Finds the columns of smoke over two braziers in the entrance and two in the last hall: in each of the two
 /// rooms, over the two braziers that are farthest from the visitor's door.
 [[nodiscard]] std::vector<Plume> find_plumes(const Plan& plan, uint64_t seed);
 
-/// Adds the nodes `smoke N` to the scene, which emit smoke. Their size is 0 until smoke_places() places them.
+/// Adds the nodes `smoke N` to the scene, which emit smoke. The size of the nodes is 0 until smoke_places()
+/// places the nodes.
 void add_smoke(estampe::Scene& scene, const std::vector<Plume>& plumes);
 
 /// Returns the transforms of the smoke emitters, for Renderer::place(); `first` is the index of the scene's

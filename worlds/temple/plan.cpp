@@ -23,7 +23,7 @@ glm::vec2 corner_m(glm::ivec2 module)
             front_z_m - module_m * static_cast<float>(module.y)};
 }
 
-/// Divides the prison's ground into rooms: covers free squares of the plan with rectangles.
+/// Divides the prison's ground into rooms: covers free squares of the floor plan with rectangles.
 class Divider {
 public:
     explicit Divider(Dice& dice) : dice_(dice) { taken_.fill(false); }
@@ -115,7 +115,8 @@ float height_of(const Room& room, Dice& dice)
 std::vector<WallRun> find_walls(const Plan& plan)
 {
     std::vector<WallRun> walls;
-    // The first pass takes the lines of the plan's grid along x, the second the lines along z.
+    // The loop's first pass takes the lines of the floor plan's grid along x, the second pass takes the lines
+    // along z.
     for (const bool is_along_x : {true, false}) {
         const int lines = is_along_x ? modules_z : modules_x;
         const int steps = is_along_x ? modules_x : modules_z;

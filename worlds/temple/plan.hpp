@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The floor plan of the prison: which rooms are adjacent, where doors lead, where columns stand. The plan
-// contains only numbers, no meshes.
+// The floor plan of the prison: which rooms are adjacent, where doors lead, where columns stand. The floor
+// plan contains only numbers, no meshes.
 
 #include <cstdint>
 #include <optional>
@@ -14,12 +14,12 @@
 
 namespace temple {
 
-/// Side of the plan's squares; length and width of rooms are whole multiples of this.
+/// Side of the floor plan's squares; length and width of rooms are whole multiples of this side.
 inline constexpr float module_m = 6.0F;
 inline constexpr int modules_x = 8;
 inline constexpr int modules_z = 6;
 inline constexpr float floor_m = 1.2F; ///< Height of all floors of the prison above the court
-/// Z coordinate of the prison's front wall. Its rooms have smaller z.
+/// Z coordinate of the prison's front wall. The rooms of the prison have smaller z coordinates.
 inline constexpr float front_z_m = -27.0F;
 inline constexpr float post_half_m = 0.7F; ///< Half the width of the piers where walls meet
 
@@ -32,8 +32,8 @@ enum class RoomKind : uint8_t {
     last,   ///< The last hall, which is the visitor's destination
 };
 
-/// A room of the prison: a rectangle of modules (squares of the plan); `last` is the first square beyond the
-/// room.
+/// A room of the prison: a rectangle of modules (squares of the floor plan); `last` is the first square
+/// beyond the room.
 struct Room {
     RoomKind kind = RoomKind::hall;
     glm::ivec2 first{0}, last{0};
@@ -89,7 +89,7 @@ struct Plan {
     std::vector<PlacedColumn> columns;
     int last_room = 0;
 
-    /// Returns the index of the room that contains a square of the plan.
+    /// Returns the index of the room that contains a square of the floor plan.
     [[nodiscard]] int room_at(glm::ivec2 module) const;
 };
 

@@ -94,7 +94,7 @@ void add_floor(Kit& kit, const Room& room, Dice& dice)
     }
 }
 
-/// Adds the roof of a room: slabs, with a hole for light if `shaft` is set.
+/// Adds the roof of a room: flat stone slabs, with a hole for light if `shaft` is set.
 void add_roof(Kit& kit, const Room& room, std::optional<glm::vec2> shaft)
 {
     constexpr float thick_m = 0.5F;

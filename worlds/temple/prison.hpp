@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Builds the rooms of the prison in stone, following the plan. Also computes which rooms are visible from a
-// place, by a portal search: the search follows lines of sight from room to room through doors.
+// Builds the rooms of the prison in stone, following the floor plan. Also computes which rooms are visible
+// from a place, by a portal search: the search follows lines of sight from room to room through doors.
 
 #include <string>
 #include <vector>
@@ -31,11 +31,11 @@ struct Thing {
 
 inline constexpr float shaft_half_m = 0.9F;
 
-/// Tells for each room whether any part of it may be visible from a place. In this test doors are 0.8 m wider
-/// on either side, so that objects appear in the scene before they come into sight. Rooms without a roof
-/// count as outdoors. From outside, rooms are visible through doors. From above the roofs, within 60 m, rooms
-/// are also visible through the holes in their roofs. Source: Luebke and Georges, "Portals and Mirrors",
-/// 1995; here in two dimensions. Cost: some microseconds.
+/// Tells for each room whether any part of it may be visible from a place. The visibility test widens doors
+/// by 0.8 m on either side, so that objects appear in the scene before they come into sight. Rooms without a
+/// roof count as outdoors. From outside, rooms are visible through doors. From above the roofs, within 60 m,
+/// rooms are also visible through the holes in their roofs. Source: Luebke and Georges, "Portals and
+/// Mirrors", 1995; here in two dimensions. Cost: some microseconds.
 [[nodiscard]] std::vector<bool> rooms_in_sight(const Plan& plan, const glm::vec3& eye_m);
 
 } // namespace temple

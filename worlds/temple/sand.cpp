@@ -100,7 +100,7 @@ float banks_m(const glm::vec2& place, const Waves& waves)
 }
 
 /// Returns the height above the floor of the sand that has blown in through the portal: a heap on the
-/// doorsill, flat enough to walk over. Where there is no such sand, returns a height far below the floor.
+/// doorsill, flat enough to walk over. Where no sand has blown in, returns a height far below the floor.
 float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
 {
     const glm::vec2 in = glm::vec2(1.0F, -1.0F) * (place - plan.doors.front().place_m);

@@ -33,10 +33,10 @@ class Desert {
 public:
     Desert(const Plan& plan, uint64_t seed);
 
-    /// Returns the desert with these hollows; only the first `most_hollows` count. Hollows are parameters of
-    /// the same height graph, so that a renderer can keep its compiled shader. If `is_trodden`, the sand has
-    /// the footprints of somebody who walked down the avenue into the temple before time 0. Cost: a copy of a
-    /// megabyte.
+    /// Returns the desert's terrain with the given hollows; only the first `most_hollows` hollows count.
+    /// Hollows are parameters of the same height graph, so that a renderer can keep its compiled shader. If
+    /// `is_trodden`, the sand has the footprints of somebody who walked down the avenue into the temple
+    /// before time 0. Cost: a copy of a megabyte.
     [[nodiscard]] estampe::Terrain with(std::span<const Hollow> hollows, bool is_trodden = false) const;
 
 private:

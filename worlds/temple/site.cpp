@@ -236,8 +236,8 @@ constexpr int portico_columns = 6;
 constexpr float step_run_m = 0.44F;
 constexpr float portico_pitch_m = 4.9F;
 
-/// Returns a row of equal arches. Their number is the largest for which each pier between two arches is wide
-/// enough.
+/// Returns a row of equal arches. The number of arches is the largest for which each pier between two arches
+/// is wide enough.
 std::vector<Arch> row_of_arches(float length_m, float half_m, float springing_m, float pier_m)
 {
     const int count = static_cast<int>((length_m - pier_m) / (2.0F * half_m + pier_m));

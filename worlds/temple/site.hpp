@@ -46,7 +46,7 @@ struct Site {
     glm::vec2 tower_m{0.0F};
 };
 
-/// Returns the columns of portico, court and avenue; those of the portico come first, from west to east.
+/// Returns the columns of portico, court and avenue. The portico's columns come first, from west to east.
 [[nodiscard]] std::vector<StandingColumn> stand_columns(uint64_t seed);
 
 [[nodiscard]] Site make_site(uint64_t seed);

@@ -2,8 +2,9 @@
 #pragma once
 
 // A walk through the temple, the ending, and an automatic tour of the whole temple. The ending begins when
-// the visitor reaches the middle of the last hall. First near this hall, then farther away, fires become
-// embers, daylight in the halls brightens, and the gratings of the cells sink into the floor.
+// the visitor reaches the middle of the last hall. During the ending, fires become embers, daylight in the
+// halls brightens, and the gratings of the cells sink into the floor: first near the last hall, then farther
+// away.
 
 #include <cstddef>
 #include <cstdint>

@@ -20,7 +20,7 @@ struct Arch {
     [[nodiscard]] float crown_m() const { return springing_m + (ring_m > 0.0F ? half_m : 0.0F); }
 };
 
-/// A wall along +x from x = 0. Its front faces +z, and z = 0 is the middle of its thickness.
+/// A wall along +x from x = 0. The wall's front faces +z, and z = 0 is the middle of the wall's thickness.
 struct Wall {
     float length_m = 10.0F;
     float height_m = 6.0F;
@@ -34,7 +34,7 @@ struct Wall {
     bool cornice = false;
 };
 
-/// A stone of a wall, in its place. Its sides are vertical except where an arch cuts them.
+/// A stone of a wall, in its place. The stone's sides are vertical except where an arch cuts them.
 struct Stone {
     float low_m, high_m;
     float left_m, right_m;

@@ -121,7 +121,8 @@ double WeatherTimeline::wind_at(double time_s) const
 
 Tornado WeatherTimeline::tornado_at(double time_s) const
 {
-    // Place behind the temple where the tornado begins. It lies on the line along which the wind blows.
+    // Place behind the temple where the tornado begins. The tornado's first place lies on the line along
+    // which the wind blows.
     constexpr glm::dvec2 from_m(78.0, -88.0);
     constexpr double lives_s = 32.0;
     const auto walked = [&](double share, double stray) {
@@ -198,7 +199,8 @@ using estampe::Primitive;
 
 constexpr double funnel_m = 46.0; ///< Height of the tornado's funnel
 
-constexpr int ring_count = 12; ///< Number of rings of the funnel, one above the other, the first at the foot
+/// Number of rings of the funnel; the rings are stacked, the first at the foot.
+constexpr int ring_count = 12;
 constexpr uint32_t skin_columns = 40;
 constexpr uint32_t skin_rows = 44;
 constexpr double whole_turn = 2.0 * std::numbers::pi;
@@ -372,9 +374,9 @@ double chance_of(int64_t x, int64_t z, uint64_t which)
 estampe::NodePlace sand_at(estampe::Index node, int column, int row, const Weather& weather,
                            const AirView& view)
 {
-    // Each sand emitter has a number along x and along z. It is placed in the nearest cell of the ground with
-    // the same numbers (modulo the grid's side). When the eye moves on, an emitter that falls behind
-    // reappears in front.
+    // Each sand emitter has a number along x and along z. The emitter is placed in the nearest cell of the
+    // ground with the emitter's numbers (modulo the grid's side). When the eye moves on, an emitter that
+    // falls behind reappears in front.
     const auto nearest = [](double eye_m, int number) {
         const double cell = eye_m / sand_cell_m;
         return number + sand_side * static_cast<int64_t>(std::llround((cell - number) / sand_side));

@@ -2,8 +2,8 @@
 #pragma once
 
 // The temple's weather and time of day, as a random timeline: wind, gusts, sandstorms, tornadoes, clouds and
-// a moving sun. The wind moves sand, flags and ink alike. This file also has the nodes that the wind moves:
-// emitters of sand, and the funnel of a tornado.
+// a moving sun. The wind moves sand, flags and ink alike. The file also declares the nodes that the wind
+// moves: emitters of sand, and the funnel of a tornado.
 
 #include <cstddef>
 #include <cstdint>
@@ -64,7 +64,8 @@ struct WeatherChoice {
     float hours_a_minute = 0.0F; ///< Speed of the sun, starting from `hour` or from the scene's own hour
 };
 
-/// The weather of a temple at any moment. Each moment is computed independently of earlier calls.
+/// The weather of a temple at any moment. The weather of each moment is computed independently of earlier
+/// calls.
 class WeatherTimeline {
 public:
     static constexpr double rises_s = 9.0; ///< Time in which a sandstorm rises

@@ -54,9 +54,9 @@ public:
     void meet(const estampe::Scene& scene);
 
     /// Simulates the temple up to a time, for a visitor at `walker`. Times of a film or a walk must follow
-    /// each other. A time far before the last one, or more than 10 s after it, restarts the simulation: 8 s
-    /// before time 0, or one minute before the requested time. A time up to half a second before the last one
-    /// changes nothing. Cost: a millisecond per tenth of a second.
+    /// each other. A time far before the last simulated time, or more than 10 s after it, restarts the
+    /// simulation: 8 s before time 0, or one minute before the requested time. A time up to half a second
+    /// before the last simulated time changes nothing. Cost: a millisecond per tenth of a second.
     void go_to(double time_s, const estampe::Camera& walker) override;
 
     /// Records that the visitor reaches the middle of the last hall at `time_s`; the ending starts then.

@@ -75,7 +75,7 @@ void Chart::flood(const Place& place, const Body& body, const glm::dvec3& from_m
     const auto enter = [&](const glm::ivec2& square, double height_m) {
         const glm::dvec2 at = middle_m(square);
         const std::optional<Footing> footing = place.footing({at.x, height_m, at.y}, body, drop_m);
-        // A square that is too much higher or lower than this neighbour may be reachable from another
+        // A square that differs too much in height from the present neighbour may be reachable from another
         // neighbour.
         if (!footing || std::abs(footing->height_m - height_m) > drop_m || !holds(*footing, body)) {
             return;

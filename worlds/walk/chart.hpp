@@ -18,7 +18,7 @@ struct ChartLimits {
 };
 
 /// The squares of a grid that a body can reach, from which it can return, and on which it has room. Each
-/// square has one height.
+/// square of the chart has one height.
 class Chart {
 public:
     /// Explores the ground from `from_m`, where the body stands. Cost: about 10 microseconds for each square

@@ -44,8 +44,8 @@ std::optional<float> meets(const glm::vec3& from, const glm::vec3& way, const Tr
     return is_met ? std::optional(t) : std::nullopt;
 }
 
-/// Returns the point of a triangle that is nearest to `p`. Source: Ericson, "Real-Time Collision Detection",
-/// 2005, 5.1.5.
+/// Returns the point of a triangle that is nearest to the point `p`. Source: Ericson, "Real-Time Collision
+/// Detection", 2005, 5.1.5.
 glm::vec3 nearest_on_triangle(const glm::vec3& p, const Triangle& triangle)
 {
     const auto& [a, b, c] = triangle;

@@ -25,8 +25,8 @@ struct Support {
     glm::vec3 normal{0.0F, 1.0F, 0.0F}; ///< Normal of the surface, a unit vector that points upwards
 };
 
-/// Solid triangles, with a search for those near a place. Both sides of each triangle are solid. Coordinates
-/// are floats, which are precise enough within a few kilometres of the origin.
+/// Solid triangles, with a search for the triangles near a place. Each triangle is solid on its two sides.
+/// Coordinates are floats, which are precise enough within a few kilometres of the origin.
 class Solids {
 public:
     Solids() = default;

@@ -51,8 +51,8 @@ std::optional<Footing> Place::footing(const glm::dvec3& place_m, const Body& bod
     for (const glm::dvec2& off : touches) {
         const std::optional<Support> stone = solids_->below({place_m.x + off.x, from_m, place_m.z + off.y},
                                                             static_cast<float>(from_m - place_m.y + drop_m));
-        // Another point of the sole gives the ground's height and normal only if it is higher than the middle
-        // by more than this.
+        // Least height, above the middle of the sole, at which another point of the sole gives the ground's
+        // height and normal.
         constexpr double flush_m = 1e-3;
         if (stone && (!highest || static_cast<double>(stone->height_m) > highest->height_m + flush_m)) {
             highest = {static_cast<double>(stone->height_m), glm::dvec3(stone->normal), false};

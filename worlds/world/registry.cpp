@@ -26,7 +26,8 @@ std::optional<Number> parsed(const std::string& text)
     return problem == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
 }
 
-/// Parses `text` as a number within `range`. Throws Error otherwise, also for a number that is not finite.
+/// Parses `text` as a number within `range`. Throws Error for any other text, also for a number that is not
+/// finite.
 template <typename Number, typename Range>
 Number number_within(const std::string& key, const std::string& text, const Range& range, const char* kind)
 {

@@ -103,18 +103,18 @@ public:
     /// value is not allowed, and if the world cannot be made.
     void add(Description description);
 
-    /// Finds the world of that name; null if there is no such world. The pointer stays valid when worlds are
-    /// added.
+    /// Finds the world with the given name; null if no world has the name. The pointer stays valid when
+    /// worlds are added.
     [[nodiscard]] const Description* find(std::string_view name) const;
 
     [[nodiscard]] const std::deque<Description>& all() const { return all_; }
 
 private:
-    std::deque<Description> all_; ///< A deque, because it never moves its elements
+    std::deque<Description> all_; ///< A deque, because a deque never moves its elements
 };
 
-/// Returns the program's worlds: those that worlds/CMakeLists.txt lists, and those that have been added.
-/// Worlds must be added before other threads look for them.
+/// Returns the program's worlds: the worlds that worlds/CMakeLists.txt lists, and the worlds that have been
+/// added. Worlds must be added before other threads look for them.
 ///
 /// Each world is listed in registry() by name. A static object that registers its own world would not work,
 /// because a linker drops files of a static library to which no other file refers.

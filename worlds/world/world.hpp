@@ -38,7 +38,7 @@ public:
     [[nodiscard]] virtual estampe::Camera camera(double time_s) const = 0;
 
     /// Returns the time at which the camera reaches the place where the world's ending begins, see
-    /// World::end_at(); nothing if it does not reach this place.
+    /// World::end_at(); nothing if the camera does not reach that place.
     [[nodiscard]] virtual std::optional<double> end_s() const { return std::nullopt; }
 };
 

@@ -66,8 +66,9 @@ public:
     [[nodiscard]] ClothAdvance advance(gpu::Device& device, gpu::Executor& executor, const ClothInputs& in);
 
     /// Places the solids with which cloth sheets collide, if simulation steps remain for the picture's graph.
-    /// Returns the boxes that the sheets occupied since the last call (relative to the scene's anchor). Call
-    /// this function only after the scene is posed for the picture.
+    /// Returns the boxes that the sheets occupied since the last call. Boxes are relative to the scene's
+    /// anchor (the origin of positions on the device). Call this function only after the scene is posed for
+    /// the picture.
     [[nodiscard]] std::vector<Bounds> place(gpu::Device& device, const ClothInputs& in,
                                             const ScenePose& pose);
 

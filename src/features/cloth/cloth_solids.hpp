@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The solids that cloth collides with: capsules around the bones of skinned bodies, front and back depth
-// maps of these bodies, and grids of the ground's heights and of distances to meshes.
+// The solids that cloth collides with: capsules around the bones of skinned bodies, front and back depth maps
+// of skinned bodies, and grids of the ground's heights and of distances to meshes.
 
 #include <map>
 #include <optional>
@@ -34,8 +34,8 @@ struct BoneCapsule {
                                        const glm::dvec3& anchor);
 
 /// A body with which cloth collides: all draw calls of one skeleton except cloth. The body's depth maps are
-/// taken along the shortest side of the body's box in the bind pose. This direction rotates with the joint
-/// that moves most of the body's surface.
+/// taken along the shortest side of the body's box in the bind pose. The direction of the depth maps rotates
+/// with the joint that moves most of the body's surface.
 struct SeenBody {
     /// The vertices of a body that one joint moves, in the bind pose.
     struct Part {

@@ -66,7 +66,7 @@ public:
                                                std::optional<double> before_s) const;
 
     /// Splits the time between two moments into simulation steps; empty unless `to_s` is later than `from_s`.
-    /// `anchor` is the origin of the device's positions.
+    /// `anchor` is the origin of all positions on the device.
     [[nodiscard]] std::vector<ClothSteps> steps_between(double from_s, double to_s, const Scene& scene,
                                                         const StyleTables& style,
                                                         const RenderSettings& settings,
@@ -101,7 +101,8 @@ public:
     [[nodiscard]] std::vector<Bounds> sweep(const pose::PoseData& pose);
 
     /// Returns the transforms that move the cloth sheets along with the nodes that hold them, since the last
-    /// call. Empty unless such a node jumped within the time `time_s`, or the anchor moved.
+    /// call. Empty unless a node that holds a sheet jumped within the time `time_s`, or the anchor (the
+    /// origin of positions on the device) moved.
     [[nodiscard]] std::vector<glm::mat4> carries(const pose::PoseData& pose, const glm::dvec3& anchor,
                                                  double time_s);
 
@@ -125,7 +126,7 @@ public:
     }
 
     /// Continues from the cloth sheets of another layout, if they are the same sheets. The caller checks that
-    /// the anchor is the same.
+    /// the anchor (the origin of positions on the device) is unchanged.
     void go_on_from(MovingCloth& other);
 
     /// Collapses torn triangles of `layout` and restores triangles that are not torn. Returns whether any

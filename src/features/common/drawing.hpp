@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Section [drawing] of a style: the few factors that an artist changes first. These factors multiply the
-// values of the preset.
+// Section [drawing] of a style: the few factors that an artist changes first. The factors of the section
+// [drawing] multiply the values of the preset.
 
 #include <cstdint>
 
@@ -14,7 +14,8 @@ struct StyleTables;
 
 enum class PaperKind : uint8_t { preset, white, cream, none };
 
-/// Values of the section [drawing]. Each factor multiplies the rest of the style; 1 changes nothing.
+/// Values of the section [drawing]. Each factor multiplies values of the style's other sections; 1 changes
+/// nothing.
 struct DrawingStyle {
     float line_weight = 1.0F;
     float hatch_spacing = 1.0F;
@@ -34,7 +35,8 @@ struct DrawingStyle {
 
 /// Applies the section [drawing] to all other sections of the style. In overrides for single materials and
 /// objects, only numbers are changed. Values stay within their ranges. Returns `style` itself if the section
-/// changes nothing, otherwise returns `room`, whose memory is reused. Cost: some microseconds.
+/// [drawing] changes nothing. Otherwise returns `room`; the memory of `room` is reused. Cost: some
+/// microseconds.
 [[nodiscard]] const StyleTables& with_drawing(const StyleTables& style, StyleTables& room);
 
 } // namespace estampe::features

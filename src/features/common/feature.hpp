@@ -40,11 +40,11 @@ public:
 
     void flag(bool is_set) { value(uint8_t{is_set}); }
 
-    /// Appends numbers to the section. Their count is not stored; if it is needed, the caller must write it
-    /// first.
+    /// Appends numbers to the section. The count of numbers is not stored; if the count is needed, the caller
+    /// must write it first.
     void floats(std::span<const float> numbers) { append(std::as_bytes(numbers)); }
 
-    /// Appends the contents of `buffers`, one after the other. Cost: a graph that copies them to the host.
+    /// Appends the contents of all `buffers` in order. Cost: a graph that copies them to the host.
     void buffers(std::span<gpu::Buffer* const> buffers);
 
     [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
@@ -109,8 +109,8 @@ struct FilmSection {
 };
 
 /// A part of the renderer that keeps buffers or state from picture to picture. A feature plans on the CPU,
-/// records its passes into a frame graph, and forgets data that an event makes obsolete. It also saves the
-/// state from which the film's next frame continues.
+/// records its passes into a frame graph, and forgets data that an event makes obsolete. A feature also saves
+/// the state from which the film's next frame continues.
 class Feature {
 public:
     Feature() = default;
@@ -124,8 +124,8 @@ public:
     /// nothing.
     virtual void invalidate(Event event) = 0;
 
-    /// Returns name and version of the feature's saved section; none if the feature keeps no state from frame
-    /// to frame.
+    /// Returns name and version of the feature's section in a film's saved state; none if the feature keeps
+    /// no state from frame to frame.
     [[nodiscard]] virtual std::optional<FilmSection> film_section() const { return std::nullopt; }
 
     /// Writes the feature's state, which load() restores; writes nothing if the last frame left no state.

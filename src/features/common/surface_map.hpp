@@ -31,8 +31,8 @@ struct SurfaceMapData {
 
 /// Packs all opaque and masked surfaces except ground and terrain into a square atlas of `size` texels per
 /// side. The UVs of a draw call are used if they cover all its triangles without overlap; the second UV set
-/// is tried first. Otherwise the triangles of the draw call are cut into charts, as `estampe bake` does.
-/// Throws Error if the charts do not fit. Cost: a few microseconds per triangle.
+/// is tried first. If neither UV set is usable, the triangles of the draw call are cut into charts, as
+/// `estampe bake` does. Throws Error if the charts do not fit. Cost: a few microseconds per triangle.
 [[nodiscard]] SurfaceMapData make_surface_map(const pose::MeshData& layout, uint32_t size);
 
 /// The texture atlas over all surfaces, on the device.

@@ -89,8 +89,8 @@ glm::mat4 drawn_clip(const shared::FrameGlobals& globals)
 
 shared::FrameGlobals every_second(shared::FrameGlobals globals)
 {
-    // The camera is shifted so that pixels at even coordinates are sampled: the centre of pixel i of the
-    // small picture is the centre of page pixel 2 i.
+    // The camera is shifted so that page pixels at even coordinates are sampled. The centre of the small
+    // picture's pixel number i is the centre of page pixel number 2 i.
     const glm::dvec2 page_px(globals.page_px);
     const glm::uvec2 half_page_px = (globals.page_px + 1U) / 2U;
     const glm::dvec2 scale = 2.0 * glm::dvec2(half_page_px) / page_px;

@@ -49,8 +49,9 @@ struct StrokePlan {
 [[nodiscard]] std::optional<shadow::HatchedLines>
 hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, const StrokePlan& strokes);
 
-/// Computes texture coordinates that follow the form of a surface in the rest pose, three per triangle. They
-/// are zero for draw calls whose strokes do not follow the form. Cost: form::follow_form() per draw call.
+/// Computes texture coordinates that follow the form of a surface in the rest pose, three per triangle. The
+/// texture coordinates are zero for draw calls with strokes that do not follow the form. Cost:
+/// form::follow_form() per draw call.
 [[nodiscard]] std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const StrokePlan& plan);
 
 /// The settings on which a tonal art map depends.

@@ -267,7 +267,8 @@ private:
 };
 
 /// The stream function of the water's flow at the corners of cells, in mm²/s; 0 along the walls. The
-/// difference of its values at the two ends of a cell's face is the flow through the face, to the right.
+/// difference of the stream function's values at the two ends of a cell's face is the flow through the face,
+/// to the right.
 class Corners {
 public:
     Corners(const fluid::Grid& grid, const std::vector<float>& velocity)

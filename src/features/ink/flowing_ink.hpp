@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Flowing ink over several pictures. This file has the ink's state and the camera of the last picture, the
-// objects that emit ink or move it, and the simulated water on the page that carries the ink.
+// Flowing ink over several pictures. The file declares the state of the ink and the camera of the last
+// picture, and the objects that emit or move ink. It also declares the simulated water on the page, which
+// carries the ink.
 
 #include <memory>
 #include <optional>
@@ -55,7 +56,8 @@ struct InkZones {
 /// overrides, and in the triangles of the meshes.
 [[nodiscard]] InkZones ink_zones(const ZoneView& view, const StyleTables& style);
 
-/// One flag per node: whether the style makes the node an ink zone. Meshes of such nodes are not drawn.
+/// One flag per node: whether the style makes the node an ink zone. Meshes of nodes that are ink zones are
+/// not drawn.
 [[nodiscard]] std::vector<bool> ink_zone_nodes(const Scene& scene, const StyleTables& style);
 
 /// The state of the ink's water at the end of a picture, for the next picture of a film.

@@ -18,12 +18,12 @@ using PageTriangle = std::array<glm::vec2, 3>;
 /// The union of triangles on the page.
 struct ZoneShape {
     glm::vec2 middle_mm{0.0F}; ///< centre of gravity of the area
-    float radius_mm = 0.0F;    ///< radius of a disc of the same area
+    float radius_mm = 0.0F;    ///< radius of a disc with the same area as the shape
     glm::vec2 min_mm{0.0F};    ///< place of the first grid point of `field`
     glm::vec2 size_mm{0.0F};   ///< distance from the first grid point of `field` to the last
     /// Grid of shared::ink_shape_side points along x and y, row by row. The value is 0 at the point deepest
-    /// within the area, and 1 at the area's edge and outside. Between these it is proportional to the
-    /// distance from the deepest level.
+    /// within the area, and 1 at the area's edge and outside. Between the deepest point and the edge, the
+    /// value is proportional to the distance from the deepest level.
     std::vector<float> field;
 };
 

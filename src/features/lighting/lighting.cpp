@@ -83,8 +83,9 @@ struct Changes {
     }
 };
 
-/// Returns the light groups for which shadows are cast: the groups of the style, or else those of the file;
-/// none if shadows are turned off. `shadows = true` casts shadows for all groups if the file casts none.
+/// Returns the light groups for which shadows are cast: the groups of the style, or else the groups in the
+/// scene's file; none if shadows are turned off. `shadows = true` casts shadows for all groups if the file
+/// casts none.
 Groups shadow_groups(Groups of_file, const Changes& changes)
 {
     const std::string& groups = changes.style.changes.shadow_groups;

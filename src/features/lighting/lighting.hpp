@@ -35,7 +35,7 @@ private:
     std::optional<ViewAnalysis> analysis_;
 };
 
-/// The lights of a scene, and the links between lights and objects. A style can change both.
+/// The lights of a scene, and the links between lights and objects. A style can change lights and links.
 struct LightingOfScene {
     std::vector<Light> lights;
     std::vector<LightLinks> node_links;
@@ -49,8 +49,8 @@ class LightingSettings {
 public:
     explicit LightingSettings(const StyleTables& style);
 
-    /// Returns whether the lighting settings of `style` are equal to these. Does not allocate memory. Cost:
-    /// linear in the style's overrides.
+    /// Returns whether the lighting settings of `style` are equal to the stored settings. Does not allocate
+    /// memory. Cost: linear in the style's overrides.
     [[nodiscard]] bool are_of(const StyleTables& style) const;
 
 private:

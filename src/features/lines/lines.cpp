@@ -115,7 +115,8 @@ std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
 std::vector<float> sizes_of_objects(const pose::MeshData& layout)
 {
     const std::vector<uint32_t> body_of_draw = bodies_of_draws(layout);
-    std::vector<Bounds> bounds(layout.draws.size()); // There are at most as many bodies as draw calls
+    // The scene has at most as many bodies as draw calls.
+    std::vector<Bounds> bounds(layout.draws.size());
     for (size_t v = 0; v < layout.draw_of_vertex.size(); ++v) {
         const uint32_t body = body_of_draw[layout.draw_of_vertex[v]];
         if (body != contour::no_side) {
@@ -258,8 +259,8 @@ namespace {
 constexpr uint32_t brush_columns = shared::brush_columns;
 constexpr uint32_t rows = shared::brush_rows;
 constexpr uint32_t seed = 7;
-// Number that sets how fine the hairs of a brush stroke are. They are finer than in tonal art maps, where a
-// stroke is only a few pixels wide.
+// Number that sets how fine the hairs of a brush stroke are. The hairs of brush strokes are finer than in
+// tonal art maps, where a stroke is only a few pixels wide.
 constexpr float hairs = 4.0F;
 
 /// Position along a brush's stroke: either a whole stroke from start to end, or a periodic stroke whose end

@@ -2,7 +2,7 @@
 #pragma once
 
 // Contour lines over several pictures: the mesh in which lines are found, the brushes that draw lines, and
-// the lines of the previous frame. This file also clips vector strokes to the page.
+// the lines of the previous frame. The file also declares the clipping of vector strokes to the page.
 
 #include <array>
 #include <future>

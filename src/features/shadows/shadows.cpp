@@ -37,8 +37,8 @@ shadow::HeightMethod height_method(shadow::GroundMethod method, const gpu::Execu
 
 GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow::ShadowStyle& style)
 {
-    // Size of a texel of the height field. It is a power of two, so that a periodic terrain is sampled at
-    // equal points even far from the origin.
+    // Size of a texel of the height field. The texel size is a power of two, so that a periodic terrain is
+    // sampled at equal points even far from the origin.
     constexpr double texel_m = 0.125;
     constexpr uint32_t small_page_px = 540;
     const uint32_t size = scene.page_height_px <= small_page_px ? 256 : 512;

@@ -52,8 +52,9 @@ struct GroundShadowScene {
 
 /// Plans the height fields around the camera, from which the terrain's shadow is computed. On a CPU, horizons
 /// are found by sweeps over the field, which need the least work. On a GPU, pyramids (coarser copies of the
-/// field) are used, because sweeps have too few parallel threads. On a small page each field is half as wide,
-/// because its pixels are as large as those of a large page at twice the distance.
+/// field) are used, because sweeps have too few parallel threads. On a small page each height field is half
+/// as wide as on a large page. A pixel of a small page covers as much ground as a pixel of a large page at
+/// twice the distance.
 [[nodiscard]] GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene,
                                                   const shadow::ShadowStyle& style);
 
@@ -105,7 +106,7 @@ private:
 /// Radius of the light's sphere in metres: the light's own radius, or otherwise the style's.
 [[nodiscard]] float radius_of(const shared::LightRecord& record, const shadow::ShadowStyle& style);
 
-/// The eye and the resolution of the page. They determine the size of a lamp's shadow map.
+/// The eye and the resolution of the page, which determine the size of a lamp's shadow map.
 struct PageView {
     glm::vec3 eye_anchor{0.0F};
     PixelSize pixel;
@@ -125,8 +126,8 @@ struct PageView {
 void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
                const shared::LocalShadow& shadow);
 
-/// Views (from lights) that draw obsolete shadow maps, in one list per drawing method. Each list is placed by
-/// raster::place_views().
+/// Views (from lights) that draw obsolete shadow maps, in one list per drawing method. raster::place_views()
+/// gives the views of each list their places.
 struct LocalMapViews {
     std::vector<shared::RasterView> whole; ///< Views that draw all shadow casters
     std::vector<shared::RasterView> still; ///< Views that draw static shadow casters into a separate layer
@@ -146,7 +147,7 @@ struct LocalMapViews {
 
 /// The shadow maps of local lights in a picture.
 struct LocalMapPlan {
-    bool is_there = false; ///< Some light has a shadow map
+    bool is_there = false; ///< At least one local light has a shadow map
     uint32_t variant = 0;  ///< Variant of the shadow shader, see shadow/shadow_style.hpp
     LocalMapViews views;   ///< Views that draw the obsolete shadow maps
 };
@@ -238,8 +239,8 @@ public:
     /// Makes shadow maps obsolete when the scene, its lights or the origin of positions change.
     void invalidate(Event event) override;
 
-    /// Records that an object moved between these boxes (relative to the scene's anchor), so that shadow maps
-    /// are drawn again where the boxes are.
+    /// Records that an object moved between the boxes `places`, so that shadow maps are drawn again there.
+    /// Boxes are relative to the scene's anchor (the origin of positions on the device).
     void move(std::span<const Bounds> places);
 
     /// Plans the shadow maps of local lights, sets `shadow` in the lights' records, and allocates buffers.

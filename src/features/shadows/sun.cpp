@@ -84,8 +84,8 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
                         std::vector<raster::Batch>& batches)
 {
     const size_t first = batches.size();
-    // One value per batch of triangles: true if triangles that must not be drawn lie before it, so that it
-    // cannot be merged with the batch before.
+    // One value per batch of triangles: true if triangles that must not be drawn lie before it, so that the
+    // batch cannot be merged with the batch before.
     std::vector<bool> bars;
     // Number of triangles since the last batch whose casters lie outside the piece.
     uint32_t passed_triangles = 0;

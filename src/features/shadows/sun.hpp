@@ -134,13 +134,13 @@ public:
     /// Makes the shadow map obsolete after a change of casters or light.
     void forget() { view_.reset(); }
 
-    /// Records that an object moved between these boxes (relative to the scene's anchor), so that the shadow
-    /// map is drawn again where the boxes are.
+    /// Records that an object moved between the boxes `places`, so that the shadow map is drawn again there.
+    /// Boxes are relative to the scene's anchor (the origin of positions on the device).
     void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
 
     /// Allocates the shadow map for `plan`, and returns the parts of the map to draw. If an object moves
-    /// while the sun is as in the previous picture, static casters get a map of their own. That map is drawn
-    /// again when the sun moves after a rest.
+    /// while the sun is as in the previous picture, static casters get a map of their own. The map of static
+    /// casters is drawn again when the sun moves after a rest.
     [[nodiscard]] SunMapWork ensure(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);
     /// Records that the parts of the shadow map for `plan` have been drawn.
     void drawn(const SunMapPlan& plan);

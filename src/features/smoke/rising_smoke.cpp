@@ -123,7 +123,8 @@ void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
         static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_per_s), 1e3));
 }
 
-/// Returns the number of cells of the smoke's grid. Throws Error if smoke cannot have these dimensions.
+/// Returns the number of cells of the smoke's grid. Throws Error if smoke cannot have the dimensions of the
+/// box.
 uint64_t checked_cell_count(const glm::uvec3& cells, float cell_m, uint32_t channels)
 {
     const auto is_count = [](uint32_t count) {

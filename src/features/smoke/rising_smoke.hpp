@@ -64,9 +64,9 @@ public:
     /// Simulates the smoke up to the time of a picture, and returns its boxes; empty if the style or the
     /// scene has no smoke. The last steps remain for the next graph that calls velocity() or record(), where
     /// they run in parallel with independent passes. The simulation continues from the previous picture, if
-    /// that picture is at most a second earlier and has the same number of quantities. Otherwise it starts
-    /// `age_s` before the picture, with steps_per_s() steps per second. Patterns that match nothing, and more
-    /// boxes than shared::smoke_most_boxes, are reported in `notes`.
+    /// that picture is at most a second earlier and has the same number of quantities. Otherwise the
+    /// simulation starts `age_s` before the picture, with steps_per_s() steps per second. Patterns that match
+    /// nothing, and more boxes than shared::smoke_most_boxes, are reported in `notes`.
     [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
                                                const SmokeInputs& in, std::vector<std::string>& notes);
 
@@ -82,8 +82,8 @@ public:
     /// names if there are several boxes.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
-    /// Forgets the smoke of a replaced scene. A moved anchor has no effect, because smoke is stored relative
-    /// to its box.
+    /// Forgets the smoke of a replaced scene. A moved anchor (origin of positions on the device) has no
+    /// effect, because smoke is stored relative to its box.
     void invalidate(Event event) override;
 
     [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"smoke", 2}; }

@@ -114,8 +114,8 @@ double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
 
 fluid::Grid grid_of(const smoke::Box& box)
 {
-    // Periodic faces are used as open faces. A zone along these faces removes smoke, so that it does not
-    // enter again at the opposite face.
+    // Periodic faces are used as open faces. A zone along the periodic faces removes smoke, so that the smoke
+    // does not enter again at the opposite face.
     constexpr fluid::Edge open = fluid::Edge::periodic;
     return {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}};
 }
@@ -148,7 +148,7 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
     fluid::Source source{.shape = fluid::disc(floor + glm::vec3(0.0F, 0.6F * radius_m, 0.0F), radius_m)};
     source.gain_per_s[shared::fluid_density] = style.amount_per_s;
     // Without a least density, air that enters at the source's floor would rise before it becomes visible,
-    // and this invisible part would be longer at a higher speed.
+    // and the invisible part of its path would be longer at a higher speed.
     source.least_density = std::min(held_s * style.amount_per_s, 1.0F);
     source.gain_per_s[shared::fluid_temperature] = 6.0F / style.rise_s;
     source.gain_per_s[shared::fluid_fuel] = style.fuel_per_s;

@@ -10,8 +10,8 @@ namespace estampe::features {
 
 namespace {
 
-/// Returns the node of the object that the terrain displaces; returns the end of the list of nodes if there
-/// is no such object.
+/// Returns the node of the object that the terrain displaces; returns the end of the list of nodes if the
+/// terrain displaces no object.
 auto raised_node(const Scene& scene)
 {
     return std::ranges::find_if(scene.nodes, [&](const Node& candidate) {

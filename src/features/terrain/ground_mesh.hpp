@@ -11,7 +11,7 @@ namespace estampe::features {
 [[nodiscard]] Scene with_terrain_node(const Scene& scene);
 
 /// Returns the triangles of the object that the terrain displaces, in the rest pose; empty if the terrain
-/// uses another mesh method. Throws Error if the scene has no such object.
+/// uses another mesh method. Throws Error if the scene lacks the object that the terrain displaces.
 [[nodiscard]] terrain::ObjectTriangles raised_object(const Scene& scene);
 
 /// Returns the terrain's mesh for the time before the first view, which places the vertices. `scene` must
@@ -20,7 +20,7 @@ namespace estampe::features {
 
 /// The consequences of replacing the terrain of a scene by another terrain.
 struct TerrainChange {
-    /// The layout of the scene must be built again, since triangles or anchor differ.
+    /// The layout of the scene must be built again, since triangles or anchor (origin of positions) differ.
     bool is_cut_otherwise = false;
     Bounds bounds; ///< Bounds of the scene with the new terrain
 };

@@ -129,8 +129,8 @@ struct MemoryState {
     Layout layout = Layout::undefined;
     AccessSet source;  ///< The last write, or the accesses that waited for the last layout change
     AccessSet readers; ///< Reads since the accesses in `source`; each read has waited for these accesses
-    /// Those accesses in `readers` for which another reader has already waited. Later accesses need not wait
-    /// for these readers.
+    /// The accesses in `readers` for which another reader has already waited. Later accesses need not wait
+    /// for the readers in `covered`.
     AccessSet covered;
 };
 
@@ -182,7 +182,7 @@ void take_back(CompiledGraph& compiled, Memory& memory)
         memory.spare.push_back(std::move(pass.barriers));
     }
     compiled.passes.clear();
-    // Each pass gets the list of barriers that it had in the previous graph.
+    // Each pass gets the list of barriers that the pass had in the previous graph.
     std::ranges::reverse(memory.spare);
 }
 
@@ -271,7 +271,7 @@ Layout layout_for(Access access)
     case Access::raster_uniform:
     case Access::indirect:
     case Access::host_read:
-        break; // These accesses occur only with buffers
+        break; // Accesses of buffers, which have no layout
     }
     return Layout::undefined;
 }

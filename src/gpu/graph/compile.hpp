@@ -83,12 +83,13 @@ struct Barrier {
     bool operator==(const Barrier&) const = default;
 
     /// Whether this is the first use of the resource and its memory slot in this frame. The barrier then only
-    /// changes the layout. The executor must itself wait for accesses of earlier frames, before the first
-    /// pass and in the source scope of these barriers.
+    /// changes the layout. The executor must itself wait for accesses of earlier frames: before the first
+    /// pass, and in the source scope of barriers before a first use.
     [[nodiscard]] constexpr bool first_use() const { return before.empty(); }
 };
 
-/// Memory that several transient resources use one after another. These resources have equal descriptions.
+/// Memory that several transient resources use one after another. Resources that share a slot have equal
+/// descriptions.
 struct Slot {
     bool is_image = false;
     ImageDesc image;
@@ -122,12 +123,12 @@ struct CompiledGraph {
 /// clears it.
 ///
 /// Order: the scheduler groups passes into levels; see Scheduler. The passes of one level do not depend on
-/// each other. Their barriers are recorded before the first of them, so a device may run these passes in
-/// parallel. Passes with side effects keep their order. Culling removes passes that nothing needs. A pass is
-/// kept if it has a side effect, is a host read, writes an exported or imported resource, or writes content
-/// that a kept pass reads. Memory slots: transient resources with equal descriptions (buffers: equal sizes)
-/// share a slot if the levels that use them do not overlap; a barrier orders their accesses. Exported
-/// resources, and resources that the host reads, have their own slots.
+/// each other. The barriers of a level are recorded before the level's first pass, so a device may run the
+/// passes of a level in parallel. Passes with side effects keep their order. Culling removes passes that
+/// nothing needs. A pass is kept if it has a side effect, is a host read, writes an exported or imported
+/// resource, or writes content that a kept pass reads. Memory slots: transient resources with equal
+/// descriptions (buffers: equal sizes) share a slot if the levels that use them do not overlap; a barrier
+/// orders their accesses. Exported resources, and resources that the host reads, have their own slots.
 ///
 /// Barriers: a write waits for every access since the last write. A read waits for the last write, unless an
 /// earlier read of that access kind has already waited. A layout change counts as a write. Cost: linear in

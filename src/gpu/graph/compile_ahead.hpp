@@ -13,11 +13,11 @@ namespace estampe::gpu {
 
 /// Compiles the shaders of a graph with two threads, on CPU devices such as lavapipe.
 ///
-/// Such a driver compiles each shader at its first use, one after another in the queue's thread, and stores
-/// the result in its disk cache. Therefore a second device of the same kind, in a second thread, uses the
-/// shaders without running them, from the last pass to the first. Each thread then finds in the disk cache
-/// the shaders that the other thread has compiled. The second thread ends at once if the last passes are
-/// already cached. Failures in the second thread are ignored.
+/// A CPU driver compiles each shader at the shader's first use, one after another in the queue's thread. The
+/// driver stores compiled shaders in its disk cache. Therefore a second device of the same kind uses the
+/// shaders in a second thread, without running them, from the last pass to the first. Each thread then finds
+/// in the disk cache the shaders that the other thread has compiled. The second thread ends at once if the
+/// last passes are already cached. Failures in the second thread are ignored.
 ///
 /// Memory  address space for a second copy of the graph's resources, of which little is used
 /// Cost    on two cores, compiling 17 shaders takes about 0.6 of the time that one thread takes; if all

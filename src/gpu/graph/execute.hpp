@@ -48,8 +48,8 @@ public:
     void run(const Graph& graph);
 
     /// Binds the shaders of `graph` without running them, from the last pass to the first, while `go_on`
-    /// returns true. Drivers that compile a shader at its first use then compile these shaders. The resources
-    /// of `graph` are not accessed.
+    /// returns true. Drivers that compile a shader at its first use then compile all shaders of the graph.
+    /// The resources of `graph` are not accessed.
     void use_shaders(const Graph& graph, const std::function<bool()>& go_on);
 
     /// Sets whether each pass is timed (the default), or only the whole run. Independent passes can overlap
@@ -73,8 +73,8 @@ public:
     /// the start of its first pass to the end of its last pass.
     [[nodiscard]] double gpu_ms() const { return gpu_ms_; }
 
-    /// The passes of the last run, or of all runs since add_timings(), in execution order. Each has its GPU
-    /// time, or 0 if passes were not timed.
+    /// The passes of the last run, or of all runs since add_timings(), in execution order. Each pass is
+    /// listed with its GPU time, or 0 if passes were not timed.
     [[nodiscard]] const std::vector<PassTiming>& timings() const { return timings_; }
 
     /// The passes of the last run only, as in timings().

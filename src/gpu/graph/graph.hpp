@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The frame graph. Each pass declares which resources it reads and writes. The graph derives the order of
-// passes, culling, memory reuse and barriers from these declarations.
+// The frame graph. Each pass declares which resources it reads and writes. From the declared reads and
+// writes, the graph derives the order of passes, culling, memory reuse and barriers.
 //
 // A technique is a function that takes resource handles and returns resource handles. A write returns a
 // handle to a new version of the resource. Passes declared before the write may still read the old version;
@@ -337,9 +337,9 @@ public:
     Pass& cull_back_faces();
 
     /// Custom passes: declares an access without a binding. `touch` declares reads, `touch_write` declares
-    /// writes. Both throw std::logic_error for the wrong kind of access and for an access that the resource
-    /// does not allow. Like all functions of the graph, they throw std::logic_error for a handle of another
-    /// graph.
+    /// writes. The functions `touch` and `touch_write` throw std::logic_error for the wrong kind of access
+    /// and for an access that the resource does not allow. Like all functions of the graph, `touch` and
+    /// `touch_write` throw std::logic_error for a handle of another graph.
     Pass& touch(ImageId image, Access access);
     Pass& touch(BufferId buffer, Access access);
     [[nodiscard]] ImageId touch_write(ImageId image, Access access);
@@ -353,13 +353,13 @@ public:
         return push_bytes(std::as_bytes(std::span<const T, 1>(&constants, 1)));
     }
 
-    /// Sets specialization constant 0 of the pass's shaders. Its bits select the shader parts that this scene
-    /// uses; the driver removes the other parts. For each value a separate pipeline is compiled.
+    /// Sets specialization constant 0 of the pass's shaders. The bits of the constant select the shader parts
+    /// that a scene uses; the driver removes all other parts. For each value a separate pipeline is compiled.
     Pass& variant(uint32_t bits);
 
     /// Sets the approximate duration, on a large GPU, of a pass that leaves most of the GPU idle. Such a pass
-    /// has few workgroups that run long, or threads with long dependency chains. It is scheduled in parallel
-    /// with other passes.
+    /// has few workgroups that run long, or threads with long dependency chains. A pass with an estimated
+    /// duration is scheduled in parallel with other passes.
     Pass& estimated_duration_us(uint32_t us);
 
     /// Dispatches one thread per pixel, in workgroups of 8 x 8 threads. The shader must declare this
@@ -400,16 +400,16 @@ private:
 
 class Graph {
 public:
-    /// Declares a transient resource. It exists from its first write to its last read; outside that time its
-    /// memory may hold other resources. The description is passed by value: it may belong to another resource
-    /// of this graph, which moves in memory when a resource is added.
+    /// Declares a transient resource. A transient resource exists from its first write to its last read;
+    /// outside that time its memory may hold other resources. The description is passed by value: it may
+    /// belong to another resource of this graph, which moves in memory when a resource is added.
     [[nodiscard]] ImageId image(std::string_view name, ImageDesc desc);
     [[nodiscard]] BufferId buffer(std::string_view name, BufferDesc desc);
 
     /// Declares an image or buffer that exists outside the graph. A second import of the same image or buffer
     /// returns the first handle, with the first name. The second import throws std::logic_error if the
-    /// descriptions differ, or if a pass has already written the resource. In the latter case, use the handle
-    /// that the pass returned.
+    /// descriptions differ, or if a pass has already written the resource. If a pass has already written the
+    /// resource, use the handle that the pass returned.
     [[nodiscard]] ImageId import_image(std::string_view name, Image& image, const ImageDesc& desc,
                                        Layout initial_layout);
     [[nodiscard]] BufferId import_buffer(std::string_view name, Buffer& buffer, const BufferDesc& desc);

@@ -47,7 +47,8 @@ public:
     ///
     /// Throws std::logic_error if a pass, kept or culled, binds one resource twice with incompatible
     /// accesses. Cost: linear in resource uses, plus a sort of the passes. Each pass of many workgroups also
-    /// visits all levels. Each pass with an estimated duration visits all levels and all other such passes.
+    /// visits all levels. Each pass with an estimated duration visits all levels and all other passes with an
+    /// estimated duration.
     void run(const Graph& graph, Schedule& schedule);
 
 private:
@@ -70,8 +71,8 @@ private:
         bool is_begun = false;
         bool writes = false;
         Layout layout = Layout::undefined;
-        uint32_t from_level = 0; ///< First level of these uses, in the direction of the visit
-        uint32_t past_level = 0; ///< First level after all of these uses
+        uint32_t from_level = 0; ///< First level with a use in the list, in the direction of the visit
+        uint32_t past_level = 0; ///< First level after all uses in the list
     };
 
     /// A pass with an estimated duration, which leaves most of the GPU idle.

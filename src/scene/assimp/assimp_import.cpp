@@ -279,8 +279,8 @@ TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& 
     return std::move(conversion.transfer);
 }
 
-/// Reads `path` with Assimp and converts the result to a scene. This function runs in the child process,
-/// because Assimp may crash or hang on a malicious file. The geometry is not repaired yet: faces share no
+/// Reads `path` with Assimp and converts the result to a scene. The function runs in a child process, because
+/// Assimp may crash or get stuck on a malicious file. The geometry is not repaired yet: faces share no
 /// vertices, and normals exist only if the file has them. Throws Error or std::bad_alloc.
 TransferScene read_with_assimp(const std::filesystem::path& path)
 {

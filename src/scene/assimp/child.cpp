@@ -103,7 +103,8 @@ void send(int pipe_end, std::span<const std::byte> bytes)
         send(pipe_end, {&threw, 1});
         send(pipe_end, std::as_bytes(std::span(error.what(), std::strlen(error.what()))));
     }
-    // Ends the child without running destructors and exit handlers, because these belong to the parent.
+    // Ends the child process without running destructors and exit handlers, which belong to the parent
+    // process.
     _exit(0);
 }
 

@@ -22,8 +22,8 @@ Wrap wrap_of(aiTextureMapMode mode)
     return mode == aiTextureMapMode_Wrap ? Wrap::repeat : Wrap::clamp;
 }
 
-/// Converts an embedded picture. It is either an encoded file, whose bytes are copied, or a list of raw
-/// texels.
+/// Converts an embedded picture. The embedded texture is either an encoded file, which is copied byte by
+/// byte, or a list of raw texels.
 void take_embedded(const aiTexture& source, Texture& texture, ImageSource& image)
 {
     if (source.mHeight == 0) {
@@ -302,8 +302,8 @@ void add_channels(Conversion& conversion, const aiNodeAnim& source, double ticks
     add(channel_of(index, AnimatedPath::scale, source.mScalingKeys, source.mNumScalingKeys, ticks_per_s,
                    put_vector));
 
-    // The keys animate translation, rotation and scale, so an animated node must store these three values
-    // instead of a matrix.
+    // The keys animate translation, rotation and scale. An animated node must therefore store translation,
+    // rotation and scale, not a matrix.
     Node& node = conversion.scene().nodes[index];
     if (!node.matrix)
         return;

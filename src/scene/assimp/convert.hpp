@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts an Assimp scene to an Estampe scene, with one function for each kind of data. This code runs in
-// the child process.
+// Converts an Assimp scene to an Estampe scene, with one function for each kind of data. The functions in
+// this file run in a child process.
 
 #include <filesystem>
 #include <map>

@@ -218,8 +218,8 @@ std::vector<AnimationChannel*> channels_of(Scene& scene, Index node)
     return channels;
 }
 
-/// Splits an animated node with pivots into a chain of nodes. Each animated part of its transform
-/// (translation, rotation, scale) gets its own new parent node.
+/// Splits an animated node with pivots into a chain of nodes. Each animated part of the node's transform
+/// (translation, rotation, scale) gets a new parent node of its own.
 void split_node(Scene& scene, Index index, const fbx::Parts& parts)
 {
     const Index parent = scene.nodes[index].parent;
@@ -379,8 +379,8 @@ bool is_set_to_zero(const fbx::Properties& properties, std::string_view name)
     return properties.sets(name) && properties.number(name).value_or(1.0) == 0.0;
 }
 
-/// Hides the mesh and light of a model, but not the models below it. Assimp may have moved this content to
-/// extra child nodes, which are hidden too.
+/// Hides the mesh and light of a model, but not the models below it. Assimp may have moved the content of a
+/// hidden node to extra child nodes, which are hidden too.
 void hide_own(Scene& scene, Index index, const std::vector<bool>& is_model)
 {
     for (const Index child : scene.nodes[index].children)

@@ -83,9 +83,9 @@ void add_number(pugi::xml_node parent, const char* name, double value)
 }
 
 /// Reads the lenses of all cameras, in metres and radians. Replaces each camera in the document by a
-/// perspective camera. The far plane of this camera is set to the camera's index, see lens_index(). The
-/// reason is that Assimp does not support parallel projections, and computes a wrong angle for a camera with
-/// only a vertical field of view.
+/// perspective camera. The far plane of this camera is set to the camera's index, see lens_index(). Cameras
+/// are replaced because Assimp does not support parallel projections, and computes a wrong angle for a camera
+/// with only a vertical field of view.
 std::vector<SceneCamera> number_cameras(const pugi::xml_node& collada)
 {
     const double metres = unit_m(collada);
@@ -123,7 +123,7 @@ size_t lens_index(double far_plane)
 namespace {
 
 /// A mesh is moved to the origin if its distance from the origin is at least this many times its size. At
-/// such a distance floats store only five digits of its shape.
+/// that distance, floats store only five digits of the mesh's shape.
 constexpr double far_in_sizes = 50.0;
 
 std::string id_of_url(std::string_view url)
@@ -237,8 +237,8 @@ struct FindInstances : pugi::xml_tree_walker {
     }
 };
 
-/// Moves `instance` into a new child node with the same name and the translation `offset`. The other contents
-/// of the node are not displaced.
+/// Moves `instance` into a new child node with the same name and the translation `offset`. Contents of the
+/// node other than `instance` are not displaced.
 void displace(const pugi::xml_node& instance, const glm::dvec3& offset)
 {
     pugi::xml_node parent = instance.parent();

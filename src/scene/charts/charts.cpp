@@ -10,8 +10,8 @@
 namespace estampe::charts {
 namespace {
 
-/// Returns whether `axis` separates two triangles. They are separate if the projections of the triangles onto
-/// the axis overlap by at most 1e-4 of the shorter projection.
+/// Returns whether `axis` separates two triangles. Two triangles are separate if their projections onto the
+/// axis overlap by at most 1e-4 of the shorter projection.
 bool separates(const glm::vec2& axis, const FlatTriangle& a, const FlatTriangle& b)
 {
     constexpr float tolerance = 1e-4F;

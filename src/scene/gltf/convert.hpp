@@ -126,7 +126,7 @@ void import_meshes(Data& data, Scene& scene);
 void import_nodes(Data& data, Scene& scene);
 
 /// Finds cloth by the names or extras of nodes and materials. The red channel of the vertex colours of cloth
-/// defines how strongly a vertex is held in place. These vertex colours are not drawn.
+/// defines how strongly a vertex is held in place. Vertex colours that hold cloth are not drawn.
 void import_cloth(Data& data, const std::map<Index, Index>& held_textures, Scene& scene);
 
 void import_animations(Data& data, Scene& scene);

@@ -92,8 +92,9 @@ const tinygltf::Value* compression_of(const tinygltf::BufferView& view)
     return found == view.extensions.end() ? nullptr : &found->second;
 }
 
-/// Returns whether a buffer may have no bytes. This is allowed for a fallback buffer, to which only
-/// compressed views refer. Only programs without the extension read its bytes.
+/// Returns whether a buffer may have no bytes. A buffer without bytes is allowed if it is a fallback buffer,
+/// to which only compressed views refer. Only programs without the compression extension read a fallback
+/// buffer's bytes.
 bool is_fallback(const tinygltf::Model& model, size_t buffer)
 {
     for (const tinygltf::BufferView& view : model.bufferViews) {
@@ -125,7 +126,7 @@ Data::Data(Document document, const Container& container, std::string file,
 void Data::load_buffers(const Container& container)
 {
     // For each file: index of its buffer with the largest declared length. Each file is read only once, up to
-    // this length.
+    // its largest declared length.
     std::map<std::string_view, size_t> longest;
     for (size_t i = 0; i < document_.buffers.size(); ++i) {
         const BufferSource& source = document_.buffers[i];

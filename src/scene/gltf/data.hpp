@@ -35,7 +35,7 @@ struct Container {
 
 /// Finds the JSON text and the binary chunk of a glTF file. The result points into `bytes`; nothing is
 /// copied. Throws Error with a byte offset when the file is empty, truncated, of another version or not glTF.
-/// JSON that is nested deeper than 256 levels is an error, too.
+/// JSON that is nested deeper than 256 levels is also an error.
 [[nodiscard]] Container open_container(std::span<const std::byte> bytes, const std::string& file);
 
 [[nodiscard]] bool is_data_uri(std::string_view uri);
@@ -88,7 +88,7 @@ struct Document {
 /// overflow.
 void check_document(nlohmann::json& document, const std::string& file);
 
-/// Key in the `extras` of a glTF object. Its value holds the settings that only Estampe reads.
+/// Key in the `extras` of a glTF object. The value of the key holds the settings that only Estampe reads.
 inline constexpr const char* our_key = "estampe";
 
 /// A glTF file during its import: the parsed document and bounds-checked access to its bytes.

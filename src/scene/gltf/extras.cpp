@@ -110,8 +110,8 @@ public:
         return has(key) && value_.Get(key).IsObject();
     }
 
-    /// The functions below return the value of a key. They return nothing if the key is missing. If the value
-    /// is invalid, they return nothing and add a warning.
+    /// The functions below return the value of a key. Each function returns nothing if the key is missing. If
+    /// the value is invalid, each function returns nothing and adds a warning.
     [[nodiscard]] std::optional<bool> boolean(const std::string& key) const
     {
         return take(key, "should be true or false", boolean_of);
@@ -374,8 +374,8 @@ float red_at(const Texture& texture, glm::vec2 uv)
            255.0F;
 }
 
-/// Sets how strongly the vertices of cloth are held in place. The values come from a texture, if there is one
-/// and the primitive has UVs, and otherwise from the red channel of the vertex colours.
+/// Sets how strongly the vertices of cloth are held in place. The values come from a texture, if a texture is
+/// given and the primitive has UVs. Otherwise the values come from the red channel of the vertex colours.
 void hold(Primitive& primitive, const Scene& scene, Index texture)
 {
     if (texture != no_index && !primitive.uvs[0].empty()) {

@@ -249,9 +249,9 @@ Material import_material(Data& data, TextureTable& textures, const tinygltf::Mat
     return material;
 }
 
-/// Removes the textures of a material whose picture could not be read. Such a picture was replaced by a white
-/// pixel. As a normal map, the white pixel would give wrong normals; as an emissive texture, it would make
-/// the whole surface glow.
+/// Removes the textures of a material whose picture could not be read. A picture that could not be read was
+/// replaced by a white pixel. As a normal map, the white pixel would give wrong normals; as an emissive
+/// texture, it would make the whole surface glow.
 void leave_out_lost(const TextureTable& textures, Material& material)
 {
     if (textures.is_lost(material.normal_texture.texture)) {

@@ -61,8 +61,8 @@ void place_node(Data& data, const tinygltf::Node& source, Node& node, const std:
     }
 }
 
-/// Removes instances whose transforms are identical. A small file could otherwise create any number of copies
-/// at one place, because all values of an accessor without data are zero.
+/// Removes instances whose transforms are identical. Without the removal, a small file could create any
+/// number of copies at one place, because all values of an accessor without data are zero.
 void drop_same(Data& data, std::vector<glm::mat4>& instances, const std::string& pointer)
 {
     using Bits = std::array<uint32_t, 16>;

@@ -127,7 +127,7 @@ void Input::make_room(size_t count)
 void Input::fill(size_t count)
 {
     // Smallest file size in bytes for which progress is reported; smaller files, such as material libraries,
-    // show none.
+    // show no progress.
     constexpr uint64_t worth_telling = 1U << 20U;
     constexpr double share_of_load = 0.4;
     if (size_ >= worth_telling)
@@ -280,7 +280,7 @@ double largest(const glm::dvec3& v)
 }
 
 /// Returns `origin`, if the distance from it to the centre of `bounds` is at most `furthest` times the extent
-/// of `bounds`. Otherwise returns a rounded position near the centre.
+/// of `bounds`. If the distance is larger, returns a rounded position near the centre of `bounds`.
 glm::dvec3 origin_of(const Bounds& bounds, const glm::dvec3& origin, double furthest)
 {
     if (bounds.empty())

@@ -80,9 +80,9 @@ private:
             ++at_;
     }
 
-    /// Reads a decimal number of up to fifteen digits with an optional point. Both the digits and the power
-    /// of ten are exact doubles, so that their quotient is rounded only once, to the result of
-    /// std::from_chars (Clinger 1990). If the word has another form, the position in the line is not changed.
+    /// Reads a decimal number of up to fifteen digits with an optional point. The digits and the power of ten
+    /// are exact doubles. Their quotient is rounded only once, so it equals the result of std::from_chars
+    /// (Clinger 1990). If the word has another form, the position in the line is not changed.
     bool plain_decimal(double& value)
     {
         static constexpr std::array<double, 16> powers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -200,8 +200,8 @@ private:
 
 /// Returns the origin that is subtracted from all coordinates of a file before they are rounded to floats. If
 /// the distance of the coordinates from zero is more than sixteen times their extent, the origin is an
-/// integer point near their centre. Otherwise the origin is zero, because floats then still resolve a
-/// millionth of the extent.
+/// integer point near their centre. For coordinates nearer to zero, the origin is zero, because floats then
+/// still resolve a millionth of the extent.
 [[nodiscard]] glm::dvec3 file_origin(const Bounds& bounds);
 
 /// Returns the origin that is subtracted from the coordinates of one object. The origin is that of the whole

@@ -258,12 +258,12 @@ size_t normalise_weights(Primitive& primitive)
 namespace estampe {
 namespace {
 
-/// Smallest number of items for which a second thread is started; for fewer items, starting it takes too
-/// long.
+/// Smallest number of items for which a second thread is started; for fewer items, starting a thread takes
+/// too long.
 constexpr size_t many = 50000;
 
-/// At a position where more faces than this meet, all faces share one average normal. This keeps the cost
-/// linear.
+/// At a position where more faces than this meet, all faces share one average normal. The shared normal keeps
+/// the cost linear in faces.
 constexpr size_t crowd = 64;
 
 /// Calls work(begin, end) for each half of the range 0 to `count`. The halves run in parallel if `count` is

@@ -305,7 +305,7 @@ void mend_primitive(Primitive& primitive, const std::string& name, std::vector<s
 
 namespace {
 
-// Meshes are repaired between these two shares of the load time; files are read before.
+// Shares of the load time at which the repair of meshes begins and ends; files are read before the repair.
 constexpr double mending_from = 0.4;
 constexpr double mending_to = 0.85;
 

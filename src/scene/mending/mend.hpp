@@ -41,7 +41,8 @@ void make_flat_normals(Primitive& primitive);
 void make_tangents(Primitive& primitive, uint32_t uv_set);
 
 /// Scales the joint weights of each vertex to a sum of one. Joints with weight zero become joint 0. A vertex
-/// without usable weights gets full weight for its first joint. Returns the number of such vertices.
+/// without usable weights gets full weight for its first joint. Returns the number of vertices without usable
+/// weights.
 [[nodiscard]] size_t normalise_weights(Primitive& primitive);
 
 } // namespace estampe::gltf
@@ -58,8 +59,8 @@ void mend_primitive(Primitive& primitive, const std::string& name, std::vector<s
 /// Stores the number of distinct positions in `count`, unless `count` is null. Cost: linear.
 [[nodiscard]] std::vector<uint32_t> places_of_vertices(const Primitive& primitive, size_t* count = nullptr);
 
-/// Reverses the winding of a triangle by swapping its last two corners. Its edge marks are swapped
-/// accordingly.
+/// Reverses the winding of a triangle by swapping its last two corners. The edge marks of the triangle are
+/// swapped accordingly.
 void turn_triangle(Primitive& primitive, size_t triangle);
 
 /// Makes the winding of triangles that share an edge consistent: in each connected piece of the surface,

@@ -32,8 +32,8 @@ void Triangulation::fan(std::vector<uint32_t>& triangles) const
         triangles.insert(triangles.end(), {kept_[0], kept_[i], kept_[i + 1]});
 }
 
-/// Projects those corners that are not cut off yet along the coordinate axis for which the projected area is
-/// largest. The result is counter-clockwise.
+/// Projects the corners that are not cut off yet along a coordinate axis: the axis for which the projected
+/// area is largest. The result is counter-clockwise.
 void Triangulation::flatten(std::span<const glm::dvec3> corners)
 {
     const glm::dvec3 normal = normal_of(corners);

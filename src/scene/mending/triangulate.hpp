@@ -9,8 +9,8 @@
 
 namespace estampe {
 
-/// Triangulates polygons. One object is used for all polygons of a file: it reuses its memory and limits the
-/// total work.
+/// Triangulates polygons. One Triangulation object is used for all polygons of a file: the object reuses its
+/// memory and limits the total work.
 class Triangulation {
 public:
     /// Triangulates a polygon. Appends three indices into `corners` per triangle to `triangles`, with the

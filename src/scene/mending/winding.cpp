@@ -15,13 +15,13 @@ namespace {
 
 /// One side of a triangle. The side is listed at the smaller of its two position numbers.
 struct Side {
-    uint32_t other; ///< position number of the other end, the larger one
+    uint32_t other; ///< position number (index of a distinct position) of the end with the larger number
     uint32_t triangle;
-    bool rising; ///< the side runs from the smaller position number to the larger
+    bool rising; ///< the side runs from the smaller position number (index of a position) to the larger
 };
 
-/// All sides of triangles, sorted by their smaller position number. The sides of position p are
-/// sides[first[p]] to sides[first[p + 1]].
+/// All sides of triangles, sorted by the smaller of the two position numbers (indices of distinct positions).
+/// The sides of position p are sides[first[p]] to sides[first[p + 1]].
 struct Sides {
     std::vector<uint32_t> first;
     std::vector<Side> sides;
@@ -271,8 +271,8 @@ public:
             }
             piece.volume_m3 += glm::dot(corners[0], glm::cross(corners[1], corners[2])) / 6.0;
         }
-        // Triangles are listed only for pieces with negative volume. Such pieces are few, and lists of
-        // triangles are long.
+        // Triangles are listed only for pieces with negative volume. Pieces with negative volume are few, and
+        // lists of triangles are long.
         if (std::ranges::any_of(pieces_, [](const SurfacePiece& piece) { return piece.volume_m3 < 0.0; })) {
             for (uint32_t t = 0; t < triangle_count(); ++t)
                 if (SurfacePiece& piece = pieces_[piece_of_triangle[t]]; piece.volume_m3 < 0.0)
@@ -291,8 +291,8 @@ private:
 
     [[nodiscard]] uint32_t place(size_t t, size_t k) const { return places_[primitive_.indices[3 * t + k]]; }
 
-    /// Returns whether two corners of a triangle are at the same position, as at the poles of many spheres.
-    /// Such a triangle has no area and is skipped.
+    /// Returns whether two corners of a triangle are at the same position, as at the poles of many spheres. A
+    /// triangle with equal corners has no area and is skipped.
     [[nodiscard]] bool has_collapsed(size_t t) const
     {
         return place(t, 0) == place(t, 1) || place(t, 1) == place(t, 2) || place(t, 2) == place(t, 0);
@@ -434,7 +434,7 @@ void turn_outside(Scene& scene)
 {
     const std::vector<PlacedPiece> placed = placed_pieces(scene);
     // Bounds of the pieces that may be inside a room, sorted by their smallest x. Each room is then compared
-    // with few of these pieces.
+    // with few pieces.
     std::vector<Bounds> furniture;
     if (std::ranges::any_of(placed, [](const PlacedPiece& piece) { return piece.piece.is_inside_out; }))
         for (const PlacedPiece& piece : placed)

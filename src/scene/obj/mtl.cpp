@@ -30,7 +30,7 @@ std::optional<double> share_of(Scanner words)
 {
     double value = 0.0;
     while (!words.is_done()) {
-        // Other words, such as -halo in "d -halo 0.5", are skipped.
+        // Words that are not numbers, such as -halo in "d -halo 0.5", are skipped.
         if (words.number(value) && std::isfinite(value))
             return std::clamp(value, 0.0, 1.0);
     }

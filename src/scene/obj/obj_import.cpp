@@ -79,7 +79,7 @@ Primitive primitive_of(const obj::Data& data, Piece& piece, const glm::dvec3& or
     return primitive;
 }
 
-/// Adds nodes for the objects that have something to draw, and for the parents of these objects.
+/// Adds nodes for the objects that have something to draw, and for the parents of drawn objects.
 class Nodes {
 public:
     Nodes(const obj::Data& data, Scene& scene, const std::string& root_name)

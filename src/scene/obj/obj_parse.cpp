@@ -297,7 +297,7 @@ private:
     }
 
     /// Reads comments such as "# Vertices: 8" and "# Faces: 12". If a file is truncated between two lines,
-    /// only these counts reveal it.
+    /// only the counts in comments reveal the loss.
     void read_comment(Scanner& words)
     {
         const std::string_view subject = words.word();
@@ -469,7 +469,7 @@ private:
         return found->second;
     }
 
-    /// Converts vertex colours from sRGB to linear. Scanning and sculpting programs write these colours from
+    /// Converts vertex colours from sRGB to linear. Scanning and sculpting programs write vertex colours from
     /// 0 to 1 or from 0 to 255.
     void finish_colors()
     {

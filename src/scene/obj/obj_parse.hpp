@@ -18,8 +18,8 @@
 
 namespace estampe::obj {
 
-/// A corner of a face, as indices into the lists of positions, texture coordinates and normals. `no_index`
-/// means that the corner has no such attribute.
+/// A corner of a face, as indices into the lists of positions, texture coordinates and normals. The index
+/// `no_index` means that the corner lacks the attribute.
 struct Corner {
     uint32_t position = no_index;
     uint32_t uv = no_index;
@@ -32,7 +32,7 @@ struct Corner {
 /// sharp depending on the crease angle.
 inline constexpr uint32_t no_smoothing_group = no_index;
 
-/// Elements of one topology, one object and one material. Each piece becomes a primitive.
+/// Elements of one topology, one object and one material. Each piece of a mesh becomes a primitive.
 struct Piece {
     uint32_t object = 0;
     uint32_t material = no_index; ///< index of the material; no_index if the file has not named one

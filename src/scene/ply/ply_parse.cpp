@@ -375,8 +375,8 @@ private:
 
     void add_triangle(uint32_t a, uint32_t b, uint32_t c, const glm::vec4& face_color)
     {
-        // Triangles of earlier elements may lack these attributes, so the lists are first extended with
-        // default values for those triangles.
+        // Triangles of earlier elements may lack the attributes of corners. The lists are therefore first
+        // extended with default values for earlier triangles.
         const size_t before = data_.triangles.size() / 3;
         data_.triangles.insert(data_.triangles.end(), {vertices_[a], vertices_[b], vertices_[c]});
         if (has_corner_uvs_) {

@@ -39,9 +39,9 @@ struct Outermost {
     double outward_height = nothing;
     bool two_sided = false;
 
-    /// Returns whether a wall of a room is at this side of the box. There must be no surface in front of the
-    /// wall that is visible from outside, such as the outside of a thick wall or the second face of a doubled
-    /// wall.
+    /// Returns whether a wall of a room is at this side of the box. No surface that is visible from outside
+    /// may be in front of the wall. Such a surface is the outside of a thick wall, or the second face of a
+    /// doubled wall.
     [[nodiscard]] bool is_wall_of_room() const
     {
         return inward_height > at_the_side && inward_height > outward_height + 0.01;

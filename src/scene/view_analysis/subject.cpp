@@ -39,7 +39,8 @@ struct Part {
     }
 };
 
-/// A grid of cubes over the scene. It records which cubes contain vertices, and which cubes are connected.
+/// A grid of cubes over the scene. The grid records which cubes contain vertices, and which cubes are
+/// connected.
 class Grid {
 public:
     explicit Grid(const Bounds& whole) : whole_(whole), cells_(cell_count), parents_(cell_count)
@@ -191,8 +192,8 @@ double length_of(const Bounds& bounds)
     return glm::length(bounds.max - bounds.min);
 }
 
-/// Returns the bounds of the main part, which outweighs all other parts together. Returns nothing if the
-/// other parts are not strays (small parts far away).
+/// Returns the bounds of the main part, which outweighs all other parts together. Returns nothing if the rest
+/// of the scene is not made of strays (small parts far away).
 std::optional<Bounds> main_part(const std::vector<Part>& parts, const Bounds& whole)
 {
     // Extra weight of the part nearest to the origin; strays are far from the origin.
@@ -297,7 +298,7 @@ bool is_sheet(const SurfaceCloud& cloud, double level)
 }
 
 /// Returns the bounds of the objects on the floor at height `level`, if the floor is the lowest surface and
-/// much wider than the objects. Otherwise returns the bounds of all points.
+/// much wider than the objects. If there is no floor of that kind, returns the bounds of all points.
 Bounds without_floor(const SurfaceCloud& cloud, Bounds standing, double level)
 {
     const Bounds& all = cloud.bounds;

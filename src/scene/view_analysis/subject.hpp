@@ -26,13 +26,13 @@ namespace estampe {
 }
 
 /// Returns the bounds, in world space, of the part of the scene that a picture should show. If the floor is
-/// much wider than the objects on it, this is everything except the floor beyond the objects. Otherwise it is
-/// the whole scene. Cost: linear in points.
+/// much wider than the objects on it, the part shown is everything except the floor beyond the objects. If
+/// there is no wide floor, the part shown is the whole scene. Cost: linear in points.
 [[nodiscard]] Bounds subject_bounds(const SurfaceCloud& cloud);
 
 /// Corrects the result `found` of subject_bounds(), if `found` is the whole cloud. In this case a small
-/// object in the same mesh as a huge floor may have no sample points, but it has vertices. Otherwise returns
-/// `found`. Cost: linear in vertices.
+/// object in the same mesh as a huge floor may have no sample points, but it has vertices. If `found` is not
+/// the whole cloud, returns `found`. Cost: linear in vertices.
 [[nodiscard]] Bounds subject_by_vertices(const Scene& scene, const ScenePose& pose, const SurfaceCloud& cloud,
                                          const Bounds& found);
 
@@ -40,8 +40,9 @@ namespace estampe {
 [[nodiscard]] SurfaceCloud within(const SurfaceCloud& cloud, const Bounds& subject);
 
 /// Returns the height of the eyes, in world space, if the subject is a character or a bust. A character is
-/// upright, and has a head on a neck or is moved by a skeleton. Returns nothing for other subjects, such as
-/// vases. `inside` is the part of the cloud within the subject. Cost: linear in points and vertices.
+/// upright, and has a head on a neck or is moved by a skeleton. Returns nothing for a subject that is not a
+/// character, such as a vase. `inside` is the part of the cloud within the subject. Cost: linear in points
+/// and vertices.
 [[nodiscard]] std::optional<double> eye_level(const Scene& scene, const SurfaceCloud& inside);
 
 } // namespace estampe

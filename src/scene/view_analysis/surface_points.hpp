@@ -67,9 +67,9 @@ struct SurfaceCloud {
     std::vector<SurfacePoint> points;
 };
 
-/// Samples about `count` points on the triangles of `scene`. Half of the points are distributed in proportion
-/// to area, half in equal numbers per primitive, so that a vast floor does not get all points. The same scene
-/// always gives the same points. Cost: two visits of all vertices and triangles.
+/// Samples about `count` points on the triangles of `scene`. One half of the points is distributed in
+/// proportion to area, the other half in equal numbers per primitive. A vast floor then does not get all
+/// points. The same scene always gives the same points. Cost: two visits of all vertices and triangles.
 [[nodiscard]] SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t count = 32768);
 
 struct SeenGrid {

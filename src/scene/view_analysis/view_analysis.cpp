@@ -20,9 +20,9 @@ namespace {
 constexpr double house_azimuth_rad = 0.61;
 constexpr double house_elevation_rad = 0.31; // elevation of the default eye: 18 degrees
 
-/// A three-quarter view that can be chosen; the default view comes first. The scores of the other views are
-/// reduced, so that one is chosen only if it shows more. Views from behind must show much more, because glTF
-/// models face +z.
+/// A three-quarter view that can be chosen; the default view comes first. The scores of all views except the
+/// default view are reduced. Another view is then chosen only if it shows more. Views from behind must show
+/// much more, because glTF models face +z.
 struct Candidate {
     double azimuth_rad;
     double handicap;
@@ -86,7 +86,8 @@ double best_azimuth(const SurfaceCloud& cloud, const Bounds& subject)
 }
 
 /// Chooses the position of the default sun. The sun stays if a fair share of the visible points is in light
-/// and a fair share in shade. Otherwise the sun is moved towards the eye, or to the other side of the eye.
+/// and a fair share in shade. If too few points are in light or in shade, the sun is moved towards the eye,
+/// or to the other side of the eye.
 void set_sun(ViewAnalysis& analysis, const SurfaceCloud& cloud)
 {
     struct Place {

@@ -331,7 +331,7 @@ namespace {
 
 constexpr double inch_mm = 25.4;
 
-// The values of these enumerations are the numbers in FBX files.
+// The enumerations have the values of the numbers in FBX files.
 enum class ApertureMode { both, horizontal, vertical, focal_length };
 enum class GateFit { none, vertical, horizontal, fill, overscan, stretch };
 enum class AspectMode { window, fixed_ratio, fixed_resolution, fixed_width, fixed_height };
@@ -417,7 +417,7 @@ double vertical_fov(const Properties& camera, double aspect)
 }
 
 /// Returns half the height of a parallel projection, in metres. An FBX orthographic zoom of 1 shows 30 units
-/// of the file; Blender writes metres instead.
+/// of the file. The exporter of Blender writes metres.
 double orthographic_half_height_m(const Properties& camera, const Document& document, double aspect)
 {
     constexpr double units_at_zoom_1 = 30.0;

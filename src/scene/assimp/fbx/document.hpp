@@ -2,7 +2,7 @@
 #pragma once
 
 // Nodes, cameras, lights and settings of an FBX file, with their named properties. Also computes the
-// transforms of nodes and the lenses of cameras from these properties.
+// transforms of nodes and the lenses of cameras from the properties of the FBX objects.
 
 #include <map>
 #include <memory>
@@ -22,8 +22,8 @@ namespace estampe::fbx {
 
 using PropertyMap = std::map<std::string, std::vector<Value>, std::less<>>;
 
-/// Properties of an FBX object. `own` contains the properties that the object sets. All other properties have
-/// the values in `defaults`, the object's template in the file.
+/// Properties of an FBX object. `own` contains the properties that the object sets. Properties that the
+/// object does not store have the values in `defaults`, the object's template in the file.
 struct Properties {
     PropertyMap own;
     std::shared_ptr<const PropertyMap> defaults;
@@ -70,16 +70,16 @@ struct Document {
 /// Collects the objects of an FBX file from `tree`. Skips objects of an unknown form.
 [[nodiscard]] Document read_document(const Tree& tree);
 
-/// Overwrites the names of some properties in the bytes of an FBX file, so that Assimp ignores these
-/// properties. The properties give a node a pivot or displace its geometry. Assimp applies some of them in
-/// the wrong order and applies others to children too. Without these properties, Assimp reads only
-/// translation, rotation and scale. A new name is as long as the old name, so that offsets in the file stay
-/// valid.
+/// Overwrites the names of some properties in the bytes of an FBX file, so that Assimp ignores the renamed
+/// properties. The properties give a node a pivot or displace its geometry. Assimp applies some of the
+/// properties in the wrong order, and applies some to children too. Without the renamed properties, Assimp
+/// reads only translation, rotation and scale. A new name is as long as the old name, so that offsets in the
+/// file stay valid.
 void hide_pivots(const Tree& tree, std::span<char> file);
 
 /// The factors of a node's transform, in the order of multiplication: translation, before_rotation, rotation,
-/// before_scale, scale, after_scale. Animations change translation, rotation and scale. The other factors
-/// contain pivots and fixed rotations.
+/// before_scale, scale, after_scale. Animations change translation, rotation and scale. Factors other than
+/// translation, rotation and scale contain pivots and fixed rotations.
 struct Parts {
     glm::dvec3 translation{0.0};
     glm::dmat4 before_rotation{1.0};
@@ -108,8 +108,8 @@ struct Parts {
 [[nodiscard]] double unit_m(const Properties& settings);
 
 /// Computes the lens of a camera of an FBX file, in metres and radians. The lens has a near plane, and either
-/// a field of view, which depends on aperture mode and gate fit, or the height of a parallel projection.
-/// `name` is not set.
+/// a field of view or the height of a parallel projection. The field of view depends on aperture mode and
+/// gate fit. `name` is not set.
 [[nodiscard]] SceneCamera lens_of(const Properties& camera, const Document& document);
 
 } // namespace estampe::fbx

@@ -28,7 +28,8 @@ constexpr int deepest = 24;
     throw Error(fmt::format("is damaged at byte {}: {}", at, what));
 }
 
-/// Returns whether an element is stored in the tree. This depends on its name, its depth and its parent.
+/// Returns whether an element is stored in the tree. The result depends on the element's name, depth and
+/// parent.
 bool is_kept(int depth, std::string_view parent, std::string_view name)
 {
     constexpr std::array<std::string_view, 5> sections{"FBXHeaderExtension", "GlobalSettings", "Definitions",

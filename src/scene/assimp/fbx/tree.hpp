@@ -2,7 +2,8 @@
 #pragma once
 
 // The tree of named elements in a binary or text FBX file. Assimp reads meshes, materials and animations from
-// such a file, but leaves out data of cameras, pivots and axes. This file reads those data.
+// an FBX file, but leaves out data of cameras, pivots and axes. The functions below read the data that Assimp
+// leaves out.
 
 #include <cstddef>
 #include <cstdint>
