@@ -164,7 +164,7 @@ public:
     std::vector<bool> known;
 };
 
-/// Fills the texels of `wanted` that touch known texels with the mean of these known texels. Returns the
+/// Fills the texels of `wanted` that touch known texels with the mean of the known neighbours. Returns the
 /// filled texels.
 std::vector<uint32_t> fill_beside(Canvas& canvas, const std::vector<uint32_t>& wanted)
 {
@@ -207,9 +207,9 @@ std::vector<uint32_t> unknown_beside(const Canvas& canvas, const std::vector<uin
     return found;
 }
 
-/// Averages each lightmap texel with texels up to three texels away that are on its surface and differ by no
-/// more than the noise: a bilateral filter after Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform",
-/// 2010, at one scale. Cost: 49 lookups per texel.
+/// Averages each lightmap texel with similar texels of the surface, up to three texels away: a bilateral
+/// filter after Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform", 2010, at one scale. Cost: 49
+/// lookups per texel.
 std::vector<glm::vec3> smoothed(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                                 uint32_t size)
 {
@@ -280,7 +280,7 @@ LightImage spread(std::span<const charts::Texel> texels, std::span<const Estimat
 constexpr uint32_t paths_a_visit = 8;
 constexpr uint64_t texels_a_block = 512;
 constexpr uint64_t blocks_at_once = 32; // number of blocks of work between two checks of the clock
-// A texel lies inside an object if a larger share of its paths than this meets a back face.
+// A texel lies inside an object if the share of its paths that meet a back face is larger than this limit.
 constexpr float most_backs = 0.6F;
 
 /// Sums over all paths of a texel so far.

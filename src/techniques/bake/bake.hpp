@@ -17,9 +17,9 @@ namespace estampe::bake {
 
 enum class LampKind : uint8_t { directional, point, spot, pyramid };
 
-/// A lamp for baking, to which shadow rays are traced, in space relative to StaticTriangles::anchor. Its
-/// colour is the irradiance over pi on a surface that faces it: at any distance (directional), at one metre,
-/// or next to the lamp (unit volume).
+/// A lamp for baking, to which shadow rays are traced, in space relative to StaticTriangles::anchor. The
+/// lamp's colour is the irradiance divided by pi on a surface that faces the lamp: at any distance
+/// (directional), at one metre, or next to the lamp (unit volume).
 struct Lamp {
     LampKind kind = LampKind::directional;
     glm::vec3 position{0.0F};
@@ -32,9 +32,11 @@ struct Lamp {
     float cone_offset = 1.0F;
     /// For pyramid-shaped spots: a unit vector at a right angle to the beam, across two of the four sides.
     glm::vec3 side{1.0F, 0.0F, 0.0F};
-    bool unit_volume = false;    ///< the light falls off with 1 - (d / range)^2 instead of the inverse square
-    Groups groups = all_groups;  ///< the lamp lights only objects of these groups
-    Groups casters = all_groups; ///< only objects that cast shadows for these groups block the lamp
+    /// The light falls off with 1 - (distance / range)^2, not with the inverse square.
+    bool unit_volume = false;
+    Groups groups = all_groups; ///< object groups that the lamp lights
+    /// Object groups: only an object that casts shadows for one of them blocks the lamp.
+    Groups casters = all_groups;
     bool baked = false; ///< true: the lightmap holds direct and bounced light; false: bounced light only
 };
 
@@ -78,7 +80,7 @@ public:
     [[nodiscard]] double done() const;
 
     /// Resumes a bake that save_progress() stored. Returns false and changes nothing if `path` holds no
-    /// progress of this scene with these settings.
+    /// progress of the bake's scene with the bake's settings.
     [[nodiscard]] bool load_progress(const std::filesystem::path& path);
 
     /// Stores the unfinished bake, replacing the file at `path` atomically. Throws Error.

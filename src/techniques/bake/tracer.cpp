@@ -304,8 +304,8 @@ bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float re
 
 glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& random) const
 {
-    // A single lamp is sampled. Its probability is proportional to the lamp's brightness here, so the lamp's
-    // light is scaled to the sum of all lamps.
+    // A single lamp is sampled. The probability of choosing a lamp is proportional to the lamp's brightness
+    // at the point, so the lamp's light is scaled to the sum of all lamps.
     Beam chosen;
     float chosen_brightness = 0.0F;
     float sum = 0.0F;
@@ -340,7 +340,8 @@ glm::vec3 Tracer::glow_towards(const Hit& hit, const glm::vec3& direction) const
                : glm::vec3(0.0F);
 }
 
-/// Probability density, per steradian, with which from_glow() samples this direction.
+/// Probability density, per steradian, with which from_glow() samples the direction from a point to a glowing
+/// triangle.
 float Tracer::glow_density(uint32_t triangle, const glm::vec3& direction, float distance_m) const
 {
     if (glowing_.empty()) {

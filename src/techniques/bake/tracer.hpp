@@ -16,7 +16,8 @@
 
 namespace estampe::bake {
 
-/// The triangles of a scene with their materials, for ray hits. Scene and triangles must outlive this object.
+/// The triangles of a scene with their materials, for ray hits. Scene and triangles must outlive this
+/// `Surfaces` object.
 class Surfaces {
 public:
     Surfaces(const Scene& scene, const StaticTriangles& triangles);
@@ -47,7 +48,7 @@ public:
     /// Opacity of the surface: from the texture for masked and transparent materials, else 1.
     [[nodiscard]] float cover(uint32_t triangle, const glm::vec2& weights) const;
 
-    /// Whether any triangle is masked or transparent, so that rays may pass through it.
+    /// Whether any triangle is masked or transparent, so that rays may pass through the triangle.
     [[nodiscard]] bool lets_rays_pass() const { return lets_rays_pass_; }
 
     /// Whether a triangle takes light from a lightmap; transparent and unlit triangles do not.
@@ -98,7 +99,7 @@ struct Arrival {
     bool saw_a_back = false; ///< the path first hit a back face, as happens inside a closed object
 };
 
-/// Traces light paths. Its functions change no state, so any number of threads may call them.
+/// Traces light paths. The tracer's functions change no state, so any number of threads may call them.
 class Tracer {
 public:
     /// `surfaces` and `settings` must outlive the tracer.
@@ -139,7 +140,7 @@ private:
     const BakeSettings& settings_;
     std::shared_ptr<void> rays_; ///< the Embree scene with all triangles
     std::vector<uint32_t> glowing_;
-    /// Cumulative power of the triangles in `glowing_`, for choosing one by its power.
+    /// Cumulative power of the triangles in `glowing_`, for choosing a glowing triangle by its power.
     std::vector<float> glow_sums_;
     /// Emitted brightness per square metre of each triangle; empty if nothing glows.
     std::vector<float> glow_of_triangle_;

@@ -17,8 +17,8 @@ constexpr float sigmas_taken_in = 2.5F;
 
 float sigma_px(const BleedStyle& style, float pixels_per_mm)
 {
-    // Standard deviation of the blur in pixels. Below a third of a pixel a blur has no effect, and its
-    // exponent grows without bound.
+    // Standard deviation of the blur in pixels. Below a third of a pixel a blur has no effect, and the
+    // exponent of the blur's Gaussian grows without bound.
     return std::clamp(0.5F * style.width_mm * pixels_per_mm, 0.3F, largest_radius_px / sigmas_taken_in);
 }
 

@@ -9,10 +9,10 @@ namespace estampe::shared {
 struct BleedConstants {
     uvec2 size_px;
     uint radius_px; // radius of the blur on each side
-    float falloff;  // exponent of the blur: 1 / (2 sigma^2), per square pixel
+    float falloff;  // exponent of the blur: 1 / (2 sigma^2), sigma: the blur's standard deviation in px
     float level;    // amount of blurred ink at which paper turns to ink
     float reach;    // weight of the ink that has bled, 0 to 1
-    float contrast; // contrast of the blurred ink around `level`
+    float contrast; // contrast of the blurred ink around the coverage `level`
 };
 
 #ifdef __cplusplus

@@ -28,8 +28,8 @@ struct BleedInputs {
 /// Largest distance from which ink of other pixels affects a pixel by bleeding; 0 if bleed is off.
 [[nodiscard]] uint32_t reach_px(const BleedStyle& style, float pixels_per_mm);
 
-/// Merges the ink of strokes and lines by blur and contrast. This fills acute corners and narrow gaps, and
-/// removes no ink.
+/// Merges the ink of strokes and lines by blur and contrast. Bleeding fills acute corners and narrow gaps,
+/// and removes no ink.
 ///
 /// Writes  r16f: replaces `hatch` below the same lines, which keep their colour; never less than `hatch`.
 ///         If bleed is off, declares nothing and returns `hatch` itself

@@ -39,8 +39,9 @@ void main()
     float ran = clamp((sum / weights - constants.level) * constants.contrast + 0.5, 0.0, 1.0);
     ran *= constants.reach;
     float hatch = texelFetch(hatch_image, pixel, 0).x;
-    // Contour lines are composited over the result later. So under lines, the result has only as much ink as
-    // makes the total as dark as the bled ink; the soft edges of lines do not change where no ink bled.
+    // Contour lines are composited over the result later. Under a line, only so much ink is added that line
+    // and result together are as dark as the bled ink. Where no ink bled, the soft edges of lines do not
+    // change.
     float bare = 1.0 - texelFetch(line_image, pixel, 0).a;
     float under = bare > 0.0 ? 1.0 - (1.0 - ran) / bare : 0.0;
     imageStore(out_ink, pixel, vec4(max(hatch, under)));

@@ -28,8 +28,8 @@
 namespace estampe::cloth {
 namespace {
 
-// Factor on the small steps of sheets that may tear, because such sheets have no tethers (limits of the
-// distance to held particles).
+// Factor on the number of small steps for sheets that may tear, because sheets that may tear have no tethers
+// (limits of the distance to held particles).
 constexpr float tear_share = 4.0F;
 constexpr float longest_step_s = 1.0F / 30.0F; // upper limit of a step of the simulation
 
@@ -40,7 +40,7 @@ bool blows(const Surroundings& now)
     return now.air_kg_m3 > 0.0F && now.wind.speed_m_per_s > shared::cloth_breath_m_per_s;
 }
 
-/// The kind of a solid, without the index of its grid's numbers that is stored in the same word.
+/// The kind of a solid, from the word that also stores the index of the solid's grid.
 uint32_t kind_of(const shared::ClothCollider& solid)
 {
     return solid.kind & ((1U << shared::cloth_kind_bits) - 1);
@@ -56,8 +56,8 @@ bool is_seen(const shared::ClothCollider& solid)
     return kind_of(solid) == shared::cloth_seen;
 }
 
-/// Number of small steps per second: in each sixtieth of a second, a third of the number of particles per
-/// side. With default settings, cloth then stretches by one or two hundredths at most.
+/// Number of small steps per second: per sixtieth of a second, the number of particles along a sheet's side
+/// divided by three. With default settings, cloth then stretches by one or two hundredths at most.
 float small_steps_per_s(uint32_t particles)
 {
     const float side = std::sqrt(static_cast<float>(particles));
@@ -95,7 +95,7 @@ uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings)
 
 uint32_t Cloths::most_steps(const Surroundings& surroundings) const
 {
-    // Limit of passes per graph; leaves room for the passes of other techniques.
+    // Largest number of cloth passes per graph; leaves room for the passes of techniques other than cloth.
     constexpr uint32_t most_passes = 240;
     constexpr uint32_t most_at_once = 120;
     uint32_t passes = 0;
@@ -376,8 +376,8 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     }
     fill_runs(surroundings, count);
     if (!met_.empty()) {
-        // Copies the buffers that the CPU writes to device memory. Such buffers may be in host memory, which
-        // is slow for the small steps that read them often.
+        // Copies the buffers that the CPU writes to device memory. An imported buffer may be in host memory,
+        // which is slow for the small steps that read them often.
         handles.solids = gpu::add_copy_of_start(graph, "cloth/solids", handles.solids,
                                                 2 * met_.size() * sizeof(shared::ClothCollider));
     }

@@ -11,7 +11,7 @@ namespace estampe::shared {
 // Bits of the specialization constant `variant` of cloth shaders.
 SHARED_CONSTANT uint cloth_bit_grid = 1U;      // the sheets are regular grids, so neighbours need no lists
 SHARED_CONSTANT uint cloth_bit_colliders = 2U; // the cloth collides with solids
-SHARED_CONSTANT uint cloth_bit_last = 8U;      // this pass ends a step or a small step of the cloth solver
+SHARED_CONSTANT uint cloth_bit_last = 8U;      // the pass ends a step or a small step of the cloth solver
 SHARED_CONSTANT uint cloth_bit_gusts = 16U;    // the wind has gusts, so its speed depends on the place
 SHARED_CONSTANT uint cloth_bit_descent = 64U;  // block descent has already solved the links
 SHARED_CONSTANT uint cloth_bit_self = 128U;    // sheets collide with themselves
@@ -26,8 +26,9 @@ SHARED_CONSTANT uint cloth_bit_seen = 1024U;
 
 SHARED_CONSTANT uint cloth_bit_tear = 2048U; // links that become too long are torn
 
-SHARED_CONSTANT uint cloth_bit_roused = 4096U; // wind blows, so no sheet comes to rest in this run of steps
-SHARED_CONSTANT uint cloth_bit_lone = 8192U;   // only one sheet exists, and ClothRun contains its record
+// Wind blows, so no sheet comes to rest in the current run of steps.
+SHARED_CONSTANT uint cloth_bit_roused = 4096U;
+SHARED_CONSTANT uint cloth_bit_lone = 8192U; // only one sheet exists, and ClothRun contains its record
 
 // Threads per workgroup; each sheet's particles are padded to whole workgroups.
 SHARED_CONSTANT uint cloth_group = 64U;
@@ -49,13 +50,13 @@ SHARED_CONSTANT uint cloth_most_flows = 8U;
 SHARED_CONSTANT uint cloth_torn_bits = 64U;
 // First bit, in a particle's word of torn bits, that stands for a grid cell and not for a link.
 SHARED_CONSTANT uint cloth_torn_cells = 32U;
-// Wind slower than this moves nothing visibly and is ignored.
+// Wind speed below which wind moves nothing visibly and is ignored.
 SHARED_CONSTANT float cloth_breath_m_per_s = 0.05F;
-// A sheet comes to rest when all its particles have been calm for this time.
+// A sheet comes to rest when all particles of the sheet have been calm (slow) for cloth_rest_s seconds.
 SHARED_CONSTANT float cloth_rest_s = 0.5F;
 
-// A particle's mass is shared among its links. A link to a near particle gets this many times the share of a
-// link to a far particle.
+// A particle's mass is shared among its links. The share of a link to a near particle, as a multiple of the
+// share of a link to a far particle.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
 
 SHARED_CONSTANT uint cloth_plane = 0U; // kind of solid: all space below y = 0
@@ -76,8 +77,9 @@ SHARED_CONSTANT uint cloth_seen_head = 1U; // texels before the data of a body w
 SHARED_CONSTANT uint cloth_seen_skirt = 5U;
 SHARED_CONSTANT float cloth_seen_nowhere_m = 1e3F; // distance from the outline at places without a body
 
-// A cloth sheet. Its particles start at index `first`; the sheet has `count` particles, padded to `stride`.
-// The k-th link of particle i has index first_link + k * stride + i; faces and tethers are indexed likewise.
+// A cloth sheet. The sheet's particles start at index `first`; the sheet has `count` particles, padded to
+// `stride`. Link number k of particle number i has the index first_link + k * stride + i; faces and tethers
+// are indexed likewise.
 struct ClothSheet {
     uint first;
     uint count;
@@ -93,7 +95,7 @@ struct ClothSheet {
     float spacing_x_m; // spacing of particles in a regular grid
     float spacing_y_m;
     float softness;    // compliance of a grid's links, in m / N for a link of 1 m
-    float bending_n_m; // bending stiffness of the cloth, lowered if a step is too long for it
+    float bending_n_m; // bending stiffness of the cloth, lowered if a step is too long to be stable
     float fold;
     float mass_kg_m2;
     float drag;
@@ -103,11 +105,11 @@ struct ClothSheet {
     float thickness_m;
     float winding; // side that the faces of a grid look to, 1 or -1
     float self_m;  // distance that self-collision keeps between particles; 0: no self-collision
-    float tear;    // links tear at this multiple of their rest length; 0: never
+    float tear;    // length at which a link tears, as a multiple of the link's rest length; 0: never
 };
 
-// A link to a nearby particle. Its rest length is negative if other particles lie between the two linked
-// particles.
+// A link to a nearby particle. The link's rest length is negative if other particles lie between the two
+// linked particles.
 struct ClothLink {
     uint other;
     float rest_m;
@@ -142,9 +144,9 @@ struct ClothRun {
     float air_kg_m3;
     float most_speed_m_per_s;
     vec3 origin_m;      // origin of cloth positions, in the coordinates of the wind
-    float rest_m_per_s; // particles slower than this are calm; negative: no particle is calm
+    float rest_m_per_s; // speed below which a particle is calm; negative: no particle is calm
     uint roused_steps;  // number of steps at the run's beginning in which no sheet rests
-    uint bodies_move;   // 1 if bodies deform in this run, in addition to moving as rigid solids
+    uint bodies_move;   // 1 if bodies deform in the run of steps, in addition to moving as rigid solids
     uint flow_count;
     ClothFlow flows[cloth_most_flows];
     ClothSheet lone_sheet;
@@ -175,8 +177,8 @@ struct ClothCollider {
     float reach_m; // distance from the centre beyond which every place is outside
 };
 
-// A deforming body that cloth collides with. Its front and back surfaces are measured along the z axis of its
-// solid.
+// A deforming body that cloth collides with. The body's front and back surfaces are measured along the z axis
+// of the body's solid.
 struct ClothBody {
     vec4 rotation;
     vec3 centre_m;

@@ -26,9 +26,9 @@ struct Surroundings {
     float air_kg_m3 = 1.2F;
     wind::WindStyle wind{.speed_m_per_s = 0.0F};
     double ahead_m = 0.0;       ///< distance that the wind has moved, in addition to its speed times the time
-    glm::dvec3 origin_m{0.0};   ///< origin of cloth positions, in world coordinates
+    glm::dvec3 origin_m{0.0};   ///< origin of cloth positions, in the scene's world coordinates
     float effort = 1.0F;        ///< factor on the number of small steps, see ClothStyle
-    float rest_m_per_s = 5e-3F; ///< particles slower than this are calm, see ClothStyle::rest_mm_per_s
+    float rest_m_per_s = 5e-3F; ///< speed below which a particle is calm, see ClothStyle::rest_mm_per_s
 };
 
 /// A triangle of a cloth sheet, with vertex numbers of the drawn mesh.
@@ -44,7 +44,7 @@ struct DrawnSheet {
     std::vector<uint32_t> particle_of_vertex;  ///< for each drawn vertex from `first_vertex` on: its particle
     std::optional<uint32_t> first_back_vertex; ///< first vertex of the sheet's back, if the back has vertices
                                                ///< of its own, in the number and order of the front
-    std::vector<DrawnFace> faces; ///< triangles of the drawn sheet; only needed for a sheet that may tear
+    std::vector<DrawnFace> faces; ///< triangles of the drawn sheet; needed only for a sheet that may tear
 };
 
 /// For each side of a drawn face, the place of its torn bit in Cloths::torn().
@@ -78,8 +78,8 @@ struct Body {
 
 /// Cloth sheets on the GPU. Equal sheets and runs give bit-identical positions on one device. A sheet comes
 /// to rest once all its particles have been calm for shared::cloth_rest_s. Steps do not change a resting
-/// sheet until wind blows, a holder of a particle moves, a solid moves nearby, the sheet is moved, or the
-/// surroundings change.
+/// sheet until the sheet is moved or its surroundings change: wind, a holder of a particle, or a nearby
+/// solid.
 class Cloths {
 public:
     /// Creates sheets in their rest shape, without motion. `drawn` has one entry per sheet, or is empty.
@@ -95,8 +95,8 @@ public:
     void set_wide(const gpu::Device& device, bool is_wide);
 
     /// Sets the places of all solids at the end of the next run of simulation steps. During the run, solids
-    /// move there from their last places, if the number of solids is unchanged. Later runs start with these
-    /// places.
+    /// move from their last places to the new places, if the number of solids is unchanged. Later runs of
+    /// steps start with the solids at the new places.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
 
     /// Sets boxes that sheets do not leave during later runs, so that distant solids cost nothing. An empty
@@ -117,7 +117,7 @@ public:
     void set_flows(gpu::Device& device, std::span<const Flow> flows);
 
     /// Sets the targets of held particles at the end of the next run of simulation steps, sheet by sheet.
-    /// Particles move there from their last targets during the run.
+    /// During the run, held particles move from their last targets to the new targets.
     void set_targets(gpu::Device& device, std::span<const glm::vec3> places_m);
 
     /// Graph resources that the cloth passes of one graph share. Create one `Handles` per graph, before the
@@ -146,11 +146,11 @@ public:
     /// the drawn vertices.
     void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
-    /// Adds passes that measure the front and the back of all bodies, as posed at the end of the next run of
-    /// steps, in the places of set_solids(). During the run, each surface changes from its last measured form
-    /// to the new form. Cost: two passes per body; a thread for each triangle visits the nodes that the
-    /// triangle covers. Source: Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8,
-    /// 2008, section 7.5.
+    /// Adds passes that measure the front and the back of all bodies in the places of set_solids(). The
+    /// bodies are posed as at the end of the next run of steps. During the run, each surface changes from its
+    /// last measured form to the new form. Cost: two passes per body; a thread for each triangle visits the
+    /// nodes that the triangle covers. Source: Zanuttini, "Recherches en rendu non réaliste temps réel",
+    /// Université Paris 8, 2008, section 7.5.
     void add_bodies(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
     /// Adds a pass that moves whole sheets, by one matrix per sheet, for example when the object that holds a
@@ -165,8 +165,9 @@ public:
     /// Largest number of simulation steps in one graph, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// Makes the targets and bodies of the next run of steps valid from the run's beginning, so that they do
-    /// not move from those of the last run. Changes between the last and the next run wake no sheet.
+    /// Makes the targets and bodies of the next run of steps valid from the run's beginning. So particles and
+    /// bodies do not move from their places in the last run. Changes between the last and the next run wake
+    /// no sheet.
     void forget_before()
     {
         has_targets_ = false;
@@ -228,7 +229,7 @@ private:
                              ///< small steps is divided by it
         uint32_t relaxations = 0;     ///< number of relaxations of a whole step, for each small step that the
                                       ///< default solver would take
-        bool lowers_rigidity = false; ///< lowers bending rigidity where a small step is too long for it
+        bool lowers_rigidity = false; ///< lowers bending rigidity where a small step is too long to be stable
         void (Cloths::*add_step)(gpu::Graph&, Handles&, Kind&, const LargeStep&) = nullptr;
     };
 
@@ -242,7 +243,8 @@ private:
         bool is_small = false;
         uint32_t first_group = 0;
         uint32_t group_count = 0;
-        uint32_t most_particles = 0;     ///< number of particles of the largest sheet of this kind
+        /// Number of particles of the largest sheet of the kind (small or large).
+        uint32_t most_particles = 0;
         std::optional<uint32_t> lone;    ///< number of the sheet, if only one sheet exists and it is large
         std::vector<glm::uvec2> colours; ///< for sweeps over sets of unlinked particles: first workgroup of
                                          ///< each set, and number of workgroups
@@ -308,7 +310,8 @@ private:
     std::vector<std::vector<glm::uvec2>> colours_;
     gpu::Buffer holds_; ///< holders of particles, one ClothHold per particle
     std::vector<shared::ClothCollider> solids_before_, solids_;
-    std::vector<shared::ClothCollider> met_before_, met_; ///< colliders that sheets may meet in this run
+    /// Colliders that sheets may meet in the current run of steps.
+    std::vector<shared::ClothCollider> met_before_, met_;
     std::vector<SheetReach> reach_;
     bool rouses_all_ = false;                  ///< a change since the last run wakes all sheets
     std::optional<Surroundings> surroundings_; ///< surroundings of the last run

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_CLOTH_DATA
 #define ESTAMPE_CLOTH_DATA
 
-// Buffers and uniforms that all cloth passes read. The including shader binds its own data from binding 12
-// on.
+// Buffers and uniforms that all cloth passes read. The shader that includes cloth_data.glsl binds its own
+// data from binding 12 on.
 
 #include "techniques/cloth/cloth.glsl.h"
 
@@ -28,9 +28,9 @@ layout(scalar, binding = 1) uniform Run
 };
 
 layout(binding = 2) uniform usamplerBuffer link_texels; // ClothLink records of all sheets
-// For each face at a particle: the two other corners, in order.
+// For each face at a particle: the face's two corners besides the particle, in order.
 layout(binding = 3) uniform usamplerBuffer face_texels;
-// Tethers: the held particle, and the largest distance from it.
+// Tethers: for each, the held particle, and the largest distance from that held particle.
 layout(binding = 4) uniform usamplerBuffer tether_texels;
 layout(binding = 5) uniform usamplerBuffer collider_texels;
 // Targets of held particles at the beginning of the run of steps.
@@ -51,7 +51,7 @@ layout(scalar, binding = 8) readonly buffer SheetOfGroup
     uint sheet_of_group[];
 };
 
-ClothSheet sheet; // record of the sheet that this thread processes
+ClothSheet sheet; // record of the sheet that the thread processes
 
 // Reads a sheet's record. If only one sheet exists, the record is uniform across threads, which saves
 // registers.

@@ -19,7 +19,7 @@ uint32_t whole_groups(size_t count)
     return (static_cast<uint32_t>(count) + group - 1) / group;
 }
 
-/// Appends one sheet's lists, with padding, to those of the other sheets.
+/// Appends the lists of one sheet, with padding, to the lists of all sheets.
 template <class Item>
 uint32_t append(std::vector<Item>& all, const Lists<Item>& lists, uint32_t count, uint32_t stride)
 {
@@ -333,7 +333,7 @@ void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)
     }
     for (size_t i = 0; i < solids.size(); ++i) {
         turn_alike(solids_before_[i], solids_[i]);
-        // The solid's grid now shows another part of the same ground, so the change is no motion.
+        // The solid's grid now covers a different part of the ground, so the change of heights is no motion.
         if (solids[i].kind == SolidKind::heights) {
             solids_before_[i] = solids_[i];
         }

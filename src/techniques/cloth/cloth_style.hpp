@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The cloth section of a style.
+// The section `cloth` of a style.
 
 #include "style/parameter.hpp"
 

@@ -283,8 +283,8 @@ float half_widest_px(const ContourStyle& style, float pixels_per_mm)
     return 0.5F * widest_mm * pixels_per_mm * most_swelling + 1.0F;
 }
 
-/// First step of the jump flooding, in pixels. Each next step is half as long, down to 1. From a first step
-/// of s pixels, a seed spreads over 2 s - 1 pixels.
+/// First step of the jump flooding, in pixels. Each step of the flooding is half as long as the step before,
+/// down to one pixel. A seed spreads over twice the first step minus one pixel.
 uint32_t first_step_px(float reach)
 {
     return std::bit_ceil((static_cast<uint32_t>(std::ceil(reach)) + 2) / 2);

@@ -19,7 +19,7 @@ SHARED_CONSTANT uint seeds_has_own_outlines = 1U << 0U;
 SHARED_CONSTANT uint stroke_has_own_outlines = 1U << 0U;
 
 // A pixel at which a line is drawn, because the visible surface ends, folds or changes its material between
-// this pixel and its neighbour to the right or below.
+// the pixel and the pixel to the right or below.
 struct EdgePixel {
     uint pixel; // position of the pixel: y << 16 | x
     // Full widths in pixels of two lines, as half floats: the line between the pixel and its right neighbour,
@@ -39,7 +39,7 @@ struct EdgeConstants {
 };
 
 struct SeedConstants {
-    // Effect of pressure on width: 0 keeps it constant, 1 makes lines hair-thin in light and double in shade.
+    // Effect of pressure on width: 0: no effect; 1: lines are hair-thin in light and twice as wide in shade.
     float pressure;
     float distance_thinning;
     // Size of a pixel in metres of the scene, at a distance of one metre from the eye. In parallel

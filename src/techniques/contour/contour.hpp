@@ -86,7 +86,7 @@ struct ContourStyle {
 /// Name and help text of one kind of line in the style.
 struct LineKind {
     const char* name;  ///< name of the kind's table in the style: "outline" for [contour.outline]
-    const char* place; ///< where lines of this kind run, for the help: "around objects"
+    const char* place; ///< where lines of the kind run, for the help text: "around objects"
     LineStyle ContourStyle::*style;
 };
 
@@ -133,7 +133,7 @@ inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
 /// Whether the style sets the ink of at least one kind of line.
 [[nodiscard]] bool has_inks_by_kind(const ContourStyle& style);
 
-/// Names of the built-in brushes. Any other name in the style is the path of a picture.
+/// Names of the built-in brushes. A brush name in the style that is not in the list is the path of a picture.
 inline const std::vector<std::string>& brush_names()
 {
     static const std::vector<std::string> names{"pen", "pencil", "charcoal", "brush"};
@@ -190,7 +190,7 @@ struct ContourInputs {
     std::optional<gpu::BufferId> variant_lines;
     bool has_inks_by_kind = false;
     /// Visibility buffer of the surfaces that can hide contour lines. Set only if the scene also has surfaces
-    /// that hide no lines, such as clear glass.
+    /// that hide no lines, for example clear glass.
     std::optional<gpu::BufferId> line_hiders;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread compares one pixel with its neighbours to the right and below, and lists the pixel if the
-// visible surface breaks (ends, folds or changes its material) between two of them.
+// visible surface breaks (ends, folds or changes its material) between the pixel and a neighbour.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -74,8 +74,7 @@ Seen seen_at(ivec2 pixel)
 }
 
 // The smallest step in reversed depth (1 at the near plane, 0 at infinity) that counts as a break of the
-// surface. In perspective, the step is a share of the depth; in parallel projection, it is the same at every
-// distance.
+// surface. In perspective, the step is a share of the depth; in parallel projection, the step is constant.
 float least_step(float depth)
 {
     vec3 fall = vec3(frame.clip_from_anchor[0].z, frame.clip_from_anchor[1].z, frame.clip_from_anchor[2].z);
@@ -93,7 +92,7 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
     float step = b.depth - a.depth;
     float surprise = min(abs(step - (a.depth - depth_at(before))), abs(step - (depth_at(after) - b.depth)));
     float bend = dot(a.normal, b.normal);
-    // A fold is sharp if the surface bends more at the fold than on both sides of it together.
+    // A fold is sharp if the surface bends more at the fold than on both sides of the fold together.
     float around = 2.0 - dot(normal_at(before), a.normal) - dot(b.normal, normal_at(after));
     bool is_crease = bend < constants.crease_cosine && around < 0.5 * (1.0 - bend);
     if (!same_draw && draw_a.object != draw_b.object) {

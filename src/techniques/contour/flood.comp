@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One round of jump flooding: each pixel takes the nearest seed (short piece of line) that is known to itself
-// or to pixels one step away in eight directions. Rong and Tan, "Jump Flooding in GPU with Applications to
-// Voronoi Diagram and Distance Transform", I3D 2006.
+// One round of jump flooding: each pixel takes the nearest seed (short piece of line) that is known at the
+// pixel, or at a pixel one step away in one of eight directions. Rong and Tan, "Jump Flooding in GPU with
+// Applications to Voronoi Diagram and Distance Transform", I3D 2006.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -50,8 +50,8 @@ layout(binding = 9) uniform usampler2D draw_image;
 #include "shaders/material_texels.glsl"
 
 layout(binding = 12,
-       // In xy the offset of the seed from the pixel's centre, in zw the direction of the line times its half
-       // width.
+       // In xy the offset of the seed from the pixel's centre, in zw the line's direction times half the
+       // line's width.
        rgba16f) writeonly uniform image2D out_seed;
 
 layout(push_constant, scalar) uniform Constants
@@ -68,7 +68,7 @@ vec2 page_position(vec4 clip)
 }
 
 // Finds where the straight path from pixel `from` to its neighbour `to` leaves the triangle seen at `from`.
-// Returns the position of this point, as a share of the path, and the direction of the crossed edge.
+// Returns where the path leaves the triangle, as a share of the path, and the direction of the crossed edge.
 void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direction)
 {
     uvec2 seen = visibility[uint(from.y) * frame.size_px.x + uint(from.x)];
@@ -108,7 +108,7 @@ void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direct
     }
     if (nearest <= 1.0) {
         // A triangle narrower than a pixel is rarely the last triangle of its surface. The surface then ends
-        // somewhere between this pixel and its neighbour.
+        // somewhere between the narrow triangle's pixel and the neighbouring pixel.
         share = mix(0.5 + 0.5 * nearest, nearest, clamp(nearest + behind, 0.0, 1.0));
     }
 }
@@ -123,8 +123,9 @@ float pressure_at(ivec2 pixel, float depth)
     return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 
-// Size of a pixel in metres at a point. In perspective it depends on the point's distance from the eye, not
-// on its depth. So an outline at constant distance has the same width all over the page.
+// Size of a pixel in metres at a point. In perspective, the pixel's size depends on the point's distance from
+// the eye, not on the point's depth. So an outline at a constant distance has a constant width all over the
+// page.
 float pixel_there_m(vec3 point)
 {
     return frame.is_orthographic != 0u ? pixel_size_m(frame, point)

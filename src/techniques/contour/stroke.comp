@@ -58,8 +58,8 @@ void main()
     uint own = texelFetch(nearest_image, pixel, 0).x;
     float own_distance = distance(vec2(pixel), vec2(own & 0xffffu, own >> 16));
     if (own != no_seed && own_distance <= constants.reach_px + 2.5) {
-        // The seed (short piece of line) that is nearest by whole pixels may not be nearest by its exact
-        // position. So the seeds of neighbouring pixels are tested too.
+        // The seed (short piece of line) in the nearest pixel may have an exact position that is not the
+        // nearest. So the seeds of neighbouring pixels are tested too.
         for (int i = 0; i < 5; ++i) {
             ivec2 neighbour = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
             uint seed = texelFetch(nearest_image, clamp(pixel + neighbour, ivec2(0), size - 1), 0).x;
@@ -71,8 +71,8 @@ void main()
         }
     }
     vec3 color = constants.ink_color;
-    // The outline belongs to a surface that is seen at the seed's pixel, or at that pixel's neighbour to the
-    // right or below.
+    // The outline belongs to a surface that is seen at the seed's pixel, or at the next pixel to the right or
+    // below.
     for (int i = 0; has_own_outlines && inked_by != no_seed && i < 3; ++i) {
         ivec2 at = ivec2(inked_by & 0xffffu, inked_by >> 16) + ivec2(i & 1, i >> 1);
         uint word = texelFetch(draw_image, min(at, size - 1), 0).x;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reference: Ghia, Ghia and Shin, "High-Re solutions for incompressible flow using the Navier-Stokes
-// equations and a multigrid method", Journal of Computational Physics 48, 1982. One entry of their table of
-// the vertical speed, at Reynolds number 400, at x = 0.9063, is a misprint and is left out.
+// equations and a multigrid method", Journal of Computational Physics 48, 1982. In that paper's table of the
+// vertical speed, the entry for Reynolds number 400 at x = 0.9063 is a misprint. It is left out here.
 #include "techniques/fluid/cavity.hpp"
 
 #include <algorithm>
@@ -51,7 +51,8 @@ constexpr std::array<Point, 15> v_along_x{{{0.9688, {-0.05906, -0.12146, -0.2138
                                            {0.0703, {0.10091, 0.19713, 0.29012}},
                                            {0.0625, {0.09233, 0.18360, 0.27485}}}};
 
-/// One velocity component along a centre line of the cavity: at both walls and at the nodes between them.
+/// One velocity component along a centre line of the cavity: at both walls and at all nodes between the
+/// walls.
 struct Profile {
     std::vector<double> places;
     std::vector<double> speeds;

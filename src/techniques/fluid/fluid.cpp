@@ -155,7 +155,8 @@ private:
     {
         ForceStyle forces = style_.forces;
         if (style_.viscosity_m2_s > 0.0F) {
-            forces.acceleration_m_s2 = glm::vec3(0.0F); // add_diffusion() applies the acceleration instead
+            // The function add_diffusion(), not the forces pass, applies the acceleration.
+            forces.acceleration_m_s2 = glm::vec3(0.0F);
         }
         const auto weighing = fluid_.channels_ > shared::fluid_temperature
                                   ? std::optional(handles_.quantities[fluid_.newest_quantities_])
@@ -260,7 +261,8 @@ ProjectionStyle Fluid::trusted(const ProjectionStyle& style) const
 
 uint32_t Fluid::most_steps(const FluidStyle& style) const
 {
-    constexpr uint32_t most_passes = 240; // a graph holds at most 256 passes; other techniques use the rest
+    // A graph holds at most 256 passes; techniques other than the fluid use the remaining passes.
+    constexpr uint32_t most_passes = 240;
     const bool has_mass = style.projection.solver == Solver::mass;
     const bool reflects = style.stepping == Stepping::reflect && !has_mass;
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);

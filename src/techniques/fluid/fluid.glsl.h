@@ -8,14 +8,14 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Bits of the fluid shaders' `variant`. The first six give the boundary conditions of the axes x, y, z.
+// Bits of the fluid shaders' `variant`. The first six bits give the boundary conditions of the axes x, y, z.
 SHARED_CONSTANT uint fluid_bit_periodic = 0x1U;  // the axis is periodic; shift left by the axis
 SHARED_CONSTANT uint fluid_bit_free_slip = 0x8U; // fluid slides along the axis' walls; shift left by the axis
 SHARED_CONSTANT uint fluid_bit_volume = 0x40U;
 SHARED_CONSTANT uint fluid_bit_solids = 0x80U;
 // Bits of `variant` for advection.
 SHARED_CONSTANT uint fluid_bit_scalars = 0x100U; // the pass advects quantities, not the velocity
-SHARED_CONSTANT uint fluid_bit_cubic = 0x200U;   // Catmull-Rom splines instead of linear interpolation
+SHARED_CONSTANT uint fluid_bit_cubic = 0x200U;   // Catmull-Rom splines, not linear interpolation
 // Bits of `variant` for forces and for changes of quantities.
 SHARED_CONSTANT uint fluid_bit_confined = 0x400U;
 SHARED_CONSTANT uint fluid_bit_buoyant = 0x800U; // density and temperature cause weight and lift
@@ -35,7 +35,7 @@ SHARED_CONSTANT uint fluid_bit_dividing =
     0x40000U;
 // Bits of `variant` for one half sweep of the 3D multigrid solver.
 SHARED_CONSTANT uint fluid_bit_from_zero = 0x80000U; // the pressure starts at zero
-// The sweep first adds the pressure of the coarser level.
+// The sweep first adds the pressure of the next coarser multigrid level.
 SHARED_CONSTANT uint fluid_bit_prolonging = 0x100000U;
 
 // Indices of the quantities that have a physical effect; quantities with higher indices are only advected.
@@ -45,9 +45,9 @@ SHARED_CONSTANT int fluid_fuel = 2;
 SHARED_CONSTANT int fluid_vapour = 3;
 SHARED_CONSTANT int fluid_cloud = 4; // condensed water, as in clouds
 
-// A fluid's grid. Velocities are stored on faces: component i of cell c is on the face between c and its
-// lower neighbour along axis i, in layer i * depth + z of an image array. Quantities are stored at cell
-// centres, channel by channel.
+// A fluid's grid. Velocities are stored on faces: a cell's component along axis number i is on the face to
+// the cell's lower neighbour along that axis. The image array stores component i in layer i * depth + z.
+// Quantities are stored at cell centres, channel by channel.
 struct FluidGrid {
     uint width; // number of cells along x
     uint height;
@@ -59,11 +59,12 @@ struct FluidGrid {
 
 // Constants of a pass that advects the velocity or quantities (moves them with the flow).
 struct FluidAdvect {
-    float cells_per_speed; // displacement in cells at speed 1 in this step
+    float cells_per_speed; // displacement in cells at speed 1 in the current step
     uint channels;
 };
 
-// Constants of one stage of diffusion: weights of the velocity in earlier stages, and of its rates of change.
+// Constants of one stage of diffusion: weights of the velocity, and of the velocity's rates of change, in
+// earlier stages.
 struct FluidDiffuse {
     float of_last;
     float of_before_last;
@@ -88,7 +89,7 @@ struct FluidForces {
 struct FluidShape {
     vec3 centre_m;
     float radius_m;
-    vec3 half_m; // half size of the box along its own axes
+    vec3 half_m; // half size of the box along the box's own axes
     float angle_rad;
     vec3 speed;     // velocity of the shape in metres per second
     float spin;     // angular speed of the shape in radians per second
@@ -115,7 +116,7 @@ struct FluidMass {
     float gain_per_unit; // gain of speed for a difference in mass of one unit between two neighbour cells
     float damping; // share of the difference in outflow between two cells that is added to the speed of the
                    // face between them
-    uint channels; // masses per cell; all masses of a cell move along the same paths
+    uint channels; // masses per cell; all masses of a cell move along equal paths
 };
 
 // Changes of quantities in a step, in addition to advection.
@@ -133,11 +134,12 @@ struct FluidMatter {
     float latent_heat;
     float rim_share;      // share of the quantities that leaves next to the faces of an open box
     float rim_cells;      // thickness of the layer in which quantities leave
-    float outside_vapour; // vapour of the outside air, limited by its saturation
+    float outside_vapour; // vapour of the outside air, limited by the air's saturation
 };
 
-// One level of the multigrid solver, or of data that is stored in the same levels; a cell spans 2^level cells
-// of the grid. Buffers store all levels, finest first; this level starts at `first`.
+// One level of the multigrid solver, or of data stored per multigrid level. A cell of the level with number
+// `level` spans 2^level cells of the grid. Buffers store all levels, finest first; the level's data start at
+// index `first`.
 struct FluidLevel {
     uint width;
     uint height;
@@ -152,7 +154,7 @@ struct FluidVolumeLevel {
 };
 
 struct FluidVolumeSweep {
-    uint color; // colour (red or black) of the cells that this half sweep changes
+    uint color; // colour (red or black) of the cells that the half sweep changes
     uint coarse_width;
     uint coarse_height;
 };
@@ -165,15 +167,15 @@ struct FluidTile {
 
 struct FluidSmall {
     FluidLevel level;
-    uint level_count;  // number of levels from this level down to a level of a handful of cells
-    uint level_number; // number of this level; level 0 is the grid itself
+    uint level_count;  // number of multigrid levels from the current level down to a level of a few cells
+    uint level_number; // number of the multigrid level; level 0 is the grid itself
     uint width;        // width of the grid in cells
     uint height;
 };
 
 struct FluidWeights {
     uint level_count;
-    uint cell_count; // number of cells of all levels together
+    uint cell_count; // number of cells of all multigrid levels together
 };
 
 // A transform along one axis: a cosine transform between walls, a Fourier transform on a periodic axis.
@@ -204,10 +206,11 @@ SHARED_CONSTANT uint fluid_tile = 32U;
 SHARED_CONSTANT uint fluid_halo = 5U;
 SHARED_CONSTANT uint fluid_most_rounds = 4U; // most Jacobi iterations per pass
 SHARED_CONSTANT uint fluid_transform_pairs =
-    2048U; // complex numbers in a workgroup's memory; longer rows take twice as many
-SHARED_CONSTANT uint fluid_coarsest_cells = 64U; // most cells in the coarsest level of the 3D multigrid
+    2048U; // complex numbers in a workgroup's memory; rows that are longer take twice that number
+// Largest number of cells in the coarsest level of the 3D multigrid.
+SHARED_CONSTANT uint fluid_coarsest_cells = 64U;
 SHARED_CONSTANT uint fluid_small_cells =
-    1024U; // one workgroup computes a level with at most this many cells, and all coarser levels
+    1024U; // largest multigrid level, in cells, that one workgroup computes together with all coarser levels
 
 #ifdef __cplusplus
 static_assert(sizeof(FluidGrid) == 32);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Fluid simulation on a grid: a divergence-free velocity advects itself and other quantities.
+// Fluid simulation on a grid: a divergence-free velocity advects (moves along) itself and quantities such as
+// density.
 
 #include <array>
 #include <optional>
@@ -20,8 +21,9 @@ namespace estampe::fluid {
 
 enum class Stepping : uint8_t {
     project, ///< each step advects, adds forces and projects (removes divergence)
-    reflect  ///< advection-reflection: two half steps with the velocity reflected between them; second order,
-             ///< twice the cost
+    /// Advection-reflection: two half steps, with the velocity reflected between the two; second order, at
+    /// twice the cost.
+    reflect
 };
 
 /// Settings of a fluid step; every member may change from step to step.
@@ -38,12 +40,14 @@ struct FluidStyle {
 
 /// Handles to the fluid's fields after the steps that were added to a graph.
 struct FluidFields {
-    gpu::ImageId velocity; ///< velocity in metres per second; layer i * depth + z holds component i, on faces
+    /// Velocity in metres per second; component number i is in layer i * depth + z, on faces.
+    gpu::ImageId velocity;
     gpu::ImageId unprojected; ///< the velocity before the last projection, for measuring the remaining error
     Solids solids;
-    /// Quantities at cell centres; layer i * depth + z holds channel i.
+    /// Quantities at cell centres; channel number i is in layer i * depth + z.
     std::optional<gpu::ImageId> quantities = {};
-    std::optional<gpu::BufferId> mass = {}; ///< mass of each cell in units of 1 / 65536, if there is one
+    /// Mass of each cell in units of 1 / 65536, if the fluid has a mass.
+    std::optional<gpu::BufferId> mass = {};
 };
 
 /// A fluid simulation on the GPU. Deterministic: equal start, style and steps give bit-identical fields on
@@ -69,9 +73,9 @@ public:
     /// The number of simulation steps that fit into one graph, at least one.
     [[nodiscard]] uint32_t most_steps(const FluidStyle& style) const;
 
-    /// Checks the spectral solver on a random equation, because some drivers compute its transforms wrongly.
-    /// If the residual is above 1e-3, `automatic` uses multigrid from then on. Returns the residual, or 0 if
-    /// the grid has no spectral solver. Call check_spectral() once before the first step.
+    /// Checks the spectral solver on a random equation, because some drivers compute the solver's transforms
+    /// wrongly. If the residual is above 1e-3, `automatic` uses multigrid from then on. Returns the residual,
+    /// or 0 if the grid has no spectral solver. Call check_spectral() once before the first step.
     double check_spectral(gpu::Device& device, gpu::Executor& executor);
 
     /// Sets obstacles and sources from the next step on. Obstacles and sources keep moving with their
@@ -82,15 +86,16 @@ public:
     }
 
     /// Marks cells that are solid permanently: one flag per cell, row by row and layer by layer; an empty
-    /// span clears them. Throws std::logic_error if the number of flags is wrong. No graph may be running.
+    /// span clears all marks. Throws std::logic_error if the number of flags is wrong. No graph may be
+    /// running.
     void set_standing(gpu::Device& device, std::span<const uint8_t> cells);
 
     /// Gives the fluid a mass for Solver::mass: one number per cell, or 1 everywhere if `mass` is empty.
     /// Throws std::logic_error if the number of masses is wrong. No graph may be running.
     void set_mass(gpu::Device& device, std::span<const float> mass = {});
 
-    /// Gives the fluid a mass of 1 per cell if the solver of `style` needs one and the fluid has none. Drops
-    /// the mass if the solver needs none. No graph may be running.
+    /// Gives the fluid a mass of 1 per cell if the solver of `style` needs a mass and the fluid has no mass.
+    /// Drops the mass if the solver needs none. No graph may be running.
     void ensure_mass(gpu::Device& device, const FluidStyle& style);
 
     [[nodiscard]] const Grid& grid() const { return grid_; }

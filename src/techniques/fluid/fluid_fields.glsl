@@ -6,7 +6,7 @@
 // FluidGrid. Samplers wrap around at the image's ends; the functions here correct values that were read
 // across a wall.
 
-const int fluid_scalar = 3; // "component" number that stands for a quantity instead of a velocity component
+const int fluid_scalar = 3; // "component" number that stands for a quantity, not for a velocity component
 
 bool is_volume()
 {
@@ -34,14 +34,14 @@ bool is_in_grid(ivec3 cell)
 }
 
 // Maps an index at most `size` beyond either end into the grid: wrapped on a periodic axis, else clamped. The
-// code compares instead of dividing, because a division by a run-time value takes some twenty instructions.
+// code compares and does not divide, because a division by a run-time value takes some twenty instructions.
 int place_in_grid(int place, int size, bool is_round)
 {
     int turned = place < 0 ? place + size : place >= size ? place - size : place;
     return is_round ? turned : clamp(place, 0, size - 1);
 }
 
-// The cell that is `steps` cells away along an axis; `steps` is at most the number of cells along this axis.
+// The cell that is `steps` cells away along an axis; `steps` is at most the number of cells along `axis`.
 ivec3 neighbour(ivec3 cell, int axis, int steps)
 {
     cell[axis] = place_in_grid(cell[axis] + steps, fluid_size()[axis], is_periodic(axis));
@@ -67,7 +67,7 @@ vec2 beyond_wall(vec2 inner, int component, int axis, bool is_high)
     return (axis == 1 && is_high ? 2.0 * lid_speed_of(component) : 0.0) - inner;
 }
 
-// Corrects the values of two neighbour nodes along an axis if they lie on or beyond a wall; `low` is the
+// Corrects the values of two neighbour nodes along an axis if the nodes lie on or beyond a wall; `low` is the
 // first node's index.
 void mend(inout vec2 first, inout vec2 second, int low, int component, int axis)
 {
@@ -112,8 +112,8 @@ int layer_of_slice(int slice)
     return place_in_grid(slice, int(grid.depth), is_periodic(2));
 }
 
-// Values at the eight nodes of a cube that starts at node `low`: four in `near`, and four one layer farther
-// along z in `far`. In 2D both are equal.
+// Values at the eight nodes of a cube that starts at node `low`: four values in `near`, and in `far` the four
+// values one layer farther along z. In 2D both are equal.
 void box_nodes(sampler2DArray field, int component, ivec3 low, int first_layer, out vec4 near, out vec4 far)
 {
     if (!is_volume()) {
@@ -177,7 +177,8 @@ vec3 velocity_at(sampler2DArray velocity, ivec3 cell, vec3 at)
     return speed;
 }
 
-// Limits a displacement so that it ends inside the walls; on a periodic axis to half the grid.
+// Limits a displacement so that the displacement ends inside the walls; on a periodic axis, limits it to half
+// the grid.
 vec3 kept_inside(vec3 way, ivec3 cell, vec3 at)
 {
     vec3 size = vec3(fluid_size());
@@ -202,7 +203,7 @@ vec3 way_along(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float ce
     return kept_inside(cells_per_speed * half_way, cell, at);
 }
 
-// Position of a velocity component's node within its cell; z is ignored in 2D.
+// Position of a velocity component's node within the node's cell; z is ignored in 2D.
 vec3 place_of_node(int component)
 {
     vec3 at = vec3(0.5);
@@ -218,8 +219,8 @@ bool is_on_wall(int component, ivec3 cell)
     return component < 3 && !is_periodic(component) && cell[component] == 0;
 }
 
-// Velocity at the node of `component`: that component as stored, the other components averaged from the nodes
-// around it. Equals velocity_at() with fewer texture reads.
+// Velocity at the node of `component`: the stored value of that component, and the averages of the remaining
+// components from the nodes around the node. Equals velocity_at() with fewer texture reads.
 vec3 velocity_at_node(sampler2DArray velocity, int component, ivec3 cell)
 {
     vec3 speed = vec3(0.0);
@@ -256,8 +257,8 @@ vec3 velocity_in_middle(sampler2DArray velocity, ivec3 cell)
     return speed;
 }
 
-// Closeness of a place, in cells, to a face of an open box, ignoring the low face of y: 1 at the face, 0 at a
-// distance of `rim_cells` or more.
+// Closeness of a place to a face of an open box: 1 at the face, 0 at a distance of `rim_cells` cells or more.
+// The low face of y is ignored.
 float closeness_to_rim(vec3 place, float rim_cells)
 {
     vec3 size = vec3(fluid_size());

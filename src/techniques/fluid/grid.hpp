@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The simulation grid of a fluid, and the boundary conditions on its sides.
+// The simulation grid of a fluid, and the boundary conditions on the grid's sides.
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace estampe::fluid {
 /// Boundary condition at both ends of an axis of the fluid's grid.
 enum class Edge : uint8_t {
     periodic, ///< the two ends of the axis are connected
-    no_slip,  ///< the ends are walls that hold the fluid next to them still
+    no_slip,  ///< the axis ends at walls that hold the fluid next to the wall still
     free_slip ///< the ends are walls along which the fluid slides
 };
 
@@ -68,7 +68,7 @@ void check_grid(const Grid& grid);
 /// Dispatches a pass with one thread per cell of the grid.
 void dispatch_over_cells(gpu::Pass& pass, const Grid& grid);
 
-/// Push constants of a pass over a grid: the grid's constants, followed by those of the pass.
+/// Push constants of a pass over a grid: the grid's constants, followed by the pass's constants.
 template <class T>
 struct WithGrid {
     shared::FluidGrid grid;

@@ -6,8 +6,8 @@
 namespace estampe::shared {
 #endif
 
-// A focus line: a wedge that points at the middle. Line n of N lies in sector n of N equal sectors around the
-// middle, counted from +x towards +y, which points down the page.
+// A focus line: a wedge that points at the middle. The middle is surrounded by equal sectors, one per line.
+// The sectors are counted from +x towards +y, which points down the page.
 struct FocusLine {
     vec2 outwards; // direction of the line on the page, away from the middle
     float tip_px;  // distance of the line's tip from the middle

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Multigrid by aggregation (merging groups of nodes): Vanek, Mandel and Brezina, "Algebraic Multigrid by
-// Smoothed Aggregation", 1996, without smoothing of the prolongation. Corrections from coarse levels are
-// over-relaxed: Braess, "Towards Algebraic Multigrid for Elliptic Problems of Second Order", 1995. Diffusion
-// with normalization: Viertel and Osting, "An Approach to Quad Meshing Based on Harmonic Cross-Valued Maps
-// and the Ginzburg-Landau Theory", 2019.
+// Smoothed Aggregation", 1996, without smoothing of the prolongation. Corrections from coarse multigrid
+// levels are over-relaxed: Braess, "Towards Algebraic Multigrid for Elliptic Problems of Second Order", 1995.
+// Diffusion with normalization: Viertel and Osting, "An Approach to Quad Meshing Based on Harmonic
+// Cross-Valued Maps and the Ginzburg-Landau Theory", 2019.
 #include "techniques/form/bundle.hpp"
 
 #include <algorithm>
@@ -51,10 +51,10 @@ Bundle::Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<
     }
 }
 
-/// Merges the nodes of a multigrid level into groups, which are the nodes of the next coarser level. Each
-/// node whose neighbours are all in no group yet forms a group with these neighbours. Each remaining node
-/// then joins the group of its most strongly linked neighbour. Returns false if this hardly reduces the
-/// number of nodes.
+/// Merges the nodes of a multigrid level into groups, which are the nodes of the next coarser level. A node
+/// forms a group with its neighbours if none of the neighbours has a group yet. Each remaining node then
+/// joins the group of its most strongly linked neighbour. Returns false if grouping hardly reduces the number
+/// of nodes.
 bool Bundle::aggregate(Level& fine)
 {
     const uint32_t count = fine.size();
@@ -239,8 +239,8 @@ void Bundle::apply(const Level& level, const Vectors& x, Vectors& out)
     }
 }
 
-/// Whether a multigrid level is coarse enough to be the last level. A graph with many separate parts has a
-/// large last level, whose nodes have hardly any neighbours.
+/// Whether a multigrid level is coarse enough to be the last level. In a graph with many separate parts, the
+/// last multigrid level is large, and its nodes have hardly any neighbours.
 bool Bundle::is_small(const Level& level)
 {
     return level.size() <= 1000;

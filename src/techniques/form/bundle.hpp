@@ -12,7 +12,7 @@
 
 namespace estampe::form {
 
-/// A 2 x 2 matrix, row by row. It has single precision to save memory bandwidth.
+/// A 2 x 2 matrix, row by row. The matrix has single precision to save memory bandwidth.
 struct Block {
     float xx = 0.0F, xy = 0.0F, yx = 0.0F, yy = 0.0F;
 };
@@ -68,8 +68,8 @@ inline Block nearest_orthogonal(const Block& m)
 
 using Vectors = std::vector<glm::dvec2>;
 
-/// A link requests that the vector at `to` equals the vector at `from`, rotated by `turn_rad` and then, if
-/// `mirrors`, mirrored in the x axis.
+/// A link requests that the vector at `to` equals the vector at `from`, rotated by `turn_rad`. If `mirrors`
+/// is set, the rotated vector is also mirrored in the x axis.
 struct Link {
     uint32_t from = 0;
     uint32_t to = 0;
@@ -79,16 +79,18 @@ struct Link {
 };
 
 /// The energy of a vector field z on a graph, stored as a matrix A. The energy is the sum over all links of
-/// weight |z_to - T z_from|^2, where T is the link's rotation or reflection. Each node has a mass (matrix M).
-/// A hierarchy of coarser graphs merges neighbouring nodes whose links agree.
+/// weight |z_to - T z_from|^2, where z_to and z_from are the vectors at the link's ends, and T is the link's
+/// rotation or reflection. Each node has a mass (matrix M). A hierarchy of coarser graphs merges neighbouring
+/// nodes whose links agree.
 class Bundle {
 public:
     Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<double> masses);
 
-    /// Solves (A + diag(pulls)) z = right for the vector field z, where A is the matrix of the energy. Uses
-    /// conjugate gradients, preconditioned by one multigrid cycle. Stops when the residual has fallen to
-    /// `tolerance` times its first value, or after 60 rounds. Each connected part of the graph needs at least
-    /// one node with a pull above zero; otherwise its solution is not unique.
+    /// Solves (A + diag(pulls)) z = right for the vector field z, where A is the energy's matrix, diag(pulls)
+    /// a diagonal matrix, and `right` the right-hand side. Uses conjugate gradients, preconditioned by one
+    /// multigrid cycle. Stops when the residual has fallen to `tolerance` times the first residual, or after
+    /// 60 rounds. Each connected part of the graph needs at least one node with a pull above zero; otherwise
+    /// the part's solution is not unique.
     [[nodiscard]] Vectors solve(const std::vector<double>& pulls, const Vectors& right, double tolerance);
 
     /// Finds a smooth vector field that is close to `targets` at the nodes with a large value in `pulls`:
@@ -96,14 +98,14 @@ public:
     [[nodiscard]] Vectors attract(const std::vector<double>& pulls, const Vectors& targets, double tolerance);
 
     /// Returns a field of unit vectors with nearly the least energy. Alternates diffusion and normalization
-    /// on each level, from the coarsest to the finest. Diffusion smooths over about the distance `reach`, but
-    /// at least over a few nodes. `reach` squared has the unit of the masses. Starts from random vectors with
-    /// `seed`.
+    /// on each multigrid level, from the coarsest to the finest level. Diffusion smooths over about the
+    /// distance `reach`, but at least over a few nodes. `reach` squared has the unit of the masses. Starts
+    /// from random vectors with `seed`.
     [[nodiscard]] Vectors relax(double reach, uint32_t seed);
 
 private:
     struct Level {
-        /// For each row of the matrix: index of its first entry in `columns` and `blocks`.
+        /// For each row of the matrix: index of the row's first entry in `columns` and `blocks`.
         std::vector<uint32_t> starts;
         std::vector<uint32_t> columns;
         std::vector<Block> blocks;        ///< entries of the matrix that are not on the diagonal
@@ -111,9 +113,10 @@ private:
         std::vector<double> masses;
         std::vector<double> shifts; ///< values that are added to the diagonal
         std::vector<glm::dvec3> inverse_diagonal;
-        /// For each node: the number of its group, which is a node of the next coarser level.
+        /// For each node: the number of the node's group, which is a node of the next coarser multigrid
+        /// level.
         std::vector<uint32_t> coarse;
-        /// For each node: orthogonal matrix that maps its group's vector to the node's vector.
+        /// For each node: orthogonal matrix that maps the vector of the node's group to the node's vector.
         std::vector<Block> from_coarse;
         Vectors x, b, r; ///< work vectors of a multigrid cycle
 

@@ -25,8 +25,9 @@ using Complex = std::complex<double>;
 /// Curvature of the surface at a vertex, in 1 / radius of the mesh; positive on a sphere.
 struct Curvature {
     double mean = 0.0; ///< mean curvature (k1 + k2) / 2
-    /// Difference of the principal curvatures k1 and k2, as a complex number. Its absolute value is (k1 - k2)
-    /// / 2, its angle is twice the angle of k1's direction in the tangent plane.
+    /// Difference of the principal curvatures k1 and k2, as a complex number. The number's absolute value is
+    /// half the difference of the principal curvatures k1 and k2. The number's angle is twice the angle of
+    /// k1's direction in the tangent plane.
     Complex deviator = 0.0;
 };
 
@@ -48,8 +49,8 @@ glm::dvec3 bending(const Mesh& mesh, uint32_t triangle)
 }
 
 /// Computes the curvature at each vertex. The curvature of each triangle follows from the differences of its
-/// vertex normals. It is transferred to the vertices and averaged over about `reach` (in radii of the mesh),
-/// so that smaller bumps cancel. Cost: linear.
+/// vertex normals. The curvature is transferred to the vertices and averaged over about `reach` (in radii of
+/// the mesh), so that bumps smaller than `reach` cancel. Cost: linear.
 std::vector<Curvature> find_curvature(const Mesh& mesh, double reach)
 {
     const auto count = static_cast<uint32_t>(mesh.points.size());
@@ -91,14 +92,14 @@ std::vector<Curvature> find_curvature(const Mesh& mesh, double reach)
 
 /// Tolerance of the solver's residuals; directions need no higher accuracy.
 constexpr double tolerance = 1e-2;
-/// Weight of level (horizontal) strokes per area of the surface, in 1 / radius^2 of the mesh.
+/// Weight of horizontal strokes per area of the surface, in 1 / radius^2 of the mesh.
 constexpr double level_pull = 0.05;
 /// Weight of strokes that follow a crease, per length of the crease, in 1 / radius of the mesh.
 constexpr double crease_pull = 0.2;
 /// Weight of equal crosses (pairs of principal directions) on both sides of a crease; an ordinary edge has a
 /// weight of about 0.6.
 constexpr double cross_weight = 0.005;
-/// Weight for choosing, on both sides of a crease, the same line of the cross (pair of principal directions).
+/// Weight for choosing equal lines of the cross (pair of principal directions) on both sides of a crease.
 constexpr double crease_vote = 0.002;
 /// Curvature in 1 / radius of the mesh; a surface with less curvature counts as flat.
 constexpr double flat_below = 0.15;
@@ -142,8 +143,8 @@ Complex unit(Complex z)
     return length > 1e-200 ? z / length : Complex(1.0);
 }
 
-/// The direction of the level line at each vertex, as a unit complex number at twice its angle. On horizontal
-/// ground all these lines have the same direction.
+/// The direction of the horizontal line at each vertex, as a unit complex number at twice the direction's
+/// angle. On horizontal ground all level lines have one common direction.
 std::vector<Complex> level_lines(const Mesh& mesh, const glm::dvec3& up)
 {
     const glm::dvec3 aside = std::abs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
@@ -195,9 +196,9 @@ double preference(const Curvature& k)
     return deviation > 0.0 ? std::clamp(k.mean / deviation, -1.0, 1.0) : 0.0;
 }
 
-/// Chooses for each vertex one of the two lines of its cross (the pair of principal directions): 1 for the
-/// line itself, -1 for the perpendicular line, smaller values where the choice is less certain. Neighbours
-/// are linked to choose alike, so the most certain vertices decide.
+/// Chooses for each vertex one of the two lines of its cross (the pair of principal directions). Returns 1
+/// for the first line, -1 for the perpendicular line, and smaller absolute values where the choice is less
+/// certain. Neighbours are linked to choose alike, so the most certain vertices decide.
 Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const Pull& line_pull)
 {
     std::vector<Link> links;
@@ -262,8 +263,8 @@ Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
     return make_bundle(mesh, 2.0, false).attract(along_cross.strengths, along_cross.targets, tolerance);
 }
 
-/// Chooses for each line one of its two directions, so that neighbouring lines point the same way as far as
-/// possible. Visits the vertices breadth first.
+/// Chooses one of two opposite directions for each line, so that neighbouring lines point in similar
+/// directions as far as possible. Visits the vertices breadth first.
 void agree_on_sense(const Mesh& mesh, Directions& directions)
 {
     const size_t count = mesh.points.size();

@@ -15,12 +15,13 @@ namespace estampe::form {
 
 struct FormOptions {
     /// Mean distance in metres between lines at neighbouring whole coordinates. Where lines converge or
-    /// diverge, the distance varies from 1/4 to 4 times the mean. This is the coarsest usable spacing of
-    /// strokes. Clamped to 1/500 to 4 radii of the mesh; a quarter radius if not positive.
+    /// diverge, the distance varies from 1/4 to 4 times the mean. The period is the coarsest usable spacing
+    /// of strokes. Clamped to 1/500 to 4 radii of the mesh; a quarter radius if not positive.
     float period_m = 0.0F;
     /// Distance over which the direction of curvature is smoothed, in periods; 0.05 to 100.
     float smoothing = 1.0F;
-    /// Up direction, of any length except zero. On flat surfaces, strokes are perpendicular to it (level).
+    /// Up direction, of any length except zero. On flat surfaces, strokes are perpendicular to `up`, that is,
+    /// horizontal.
     glm::vec3 up{0.0F, 1.0F, 0.0F};
     uint32_t seed = 1;
 };
@@ -30,7 +31,8 @@ struct FormOptions {
 struct FormFaults {
     /// Triangles without area, with a non-finite vertex, or with an index out of range.
     uint32_t dropped_triangles = 0;
-    uint32_t crease_edges = 0; ///< edges where the surface bends by over 45 degrees; strokes may break there
+    /// Edges where the surface bends by over 45 degrees; strokes may break at a crease.
+    uint32_t crease_edges = 0;
     /// Triangles around which the direction of strokes turns by half a turn or more.
     uint32_t singular_triangles = 0;
     uint32_t branch_triangles_a = 0; ///< triangles in which lines of equal coordinate a begin or end
@@ -45,20 +47,20 @@ struct FormField {
     /// lines at whole numbers, and at power-of-two fractions, are continuous. Exceptions are creases, and one
     /// edge of each triangle that `is_faulty`.
     std::vector<std::array<glm::vec2, 3>> corners;
-    /// For each triangle: 1 if it has a branch point or a singularity, where strokes end or break.
+    /// For each triangle: 1 if the triangle has a branch point or a singularity, where strokes end or break.
     std::vector<uint8_t> is_faulty;
-    /// False if no coordinates could be computed. In this case, `corners` holds coordinates that cut the
-    /// solid by two sets of parallel planes.
+    /// False if no coordinates could be computed. If false, `corners` holds coordinates that cut the solid by
+    /// two sets of parallel planes.
     bool follows_form = false;
     FormFaults faults;
 };
 
-/// Computes two stripe coordinates over a triangle mesh. Lines of equal a follow the direction of greatest
-/// curvature, around a cylinder; lines of equal b are perpendicular to them, along the cylinder. On flat
-/// surfaces the lines are level; on horizontal surfaces they follow one horizontal axis. Near creases, the
-/// lines follow the creases.
+/// Computes two stripe coordinates over a triangle mesh. Lines of equal coordinate a follow the direction of
+/// greatest curvature, for example around a cylinder. Lines of equal coordinate b are perpendicular to lines
+/// of equal a, for example along a cylinder. On flat surfaces the lines are horizontal; on horizontal
+/// surfaces they follow one horizontal axis. Near creases, the lines follow the creases.
 ///
-/// Vertices at the same place are merged. Three indices make one triangle, counter-clockwise from outside.
+/// Vertices at equal positions are merged. Three indices make one triangle, counter-clockwise from outside.
 /// Accepts any input: a mesh that cannot be used gets coordinates from two sets of parallel planes. Throws
 /// only std::bad_alloc. Deterministic. Cost: linear; on two threads about 20 us and 2 kB of temporary memory
 /// per vertex. Sources: see README.md.

@@ -21,7 +21,7 @@ bool comes_before(const glm::vec3& a, const glm::vec3& b)
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/// Returns for each vertex the first vertex at the same place; `none` if the vertex's place is not finite.
+/// Returns for each vertex the first vertex at an equal position; `none` if the vertex's place is not finite.
 std::vector<uint32_t> weld(std::span<const glm::vec3> positions)
 {
     std::vector<uint32_t> order;
@@ -160,8 +160,8 @@ private:
     }
 
     /// Joins two triangles of equal orientation that share an edge. If more than two triangles share the
-    /// edge, as at the rim of a sheet with front and back, joins each triangle to the one that continues it
-    /// best.
+    /// edge, joins each triangle to the triangle that continues it best. Such edges occur at the rim of a
+    /// sheet with front and back.
     void pair_up(std::vector<uint32_t>& around)
     {
         constexpr size_t most_triangles = 16;
@@ -308,9 +308,9 @@ private:
     Mesh mesh_;
     /// The points of each triangle, before the points are split into vertices.
     std::vector<std::array<uint32_t, 3>> points_of_corners_;
-    std::vector<std::array<uint32_t, 2>> creases_; ///< each crease as its two half-edges
+    std::vector<std::array<uint32_t, 2>> creases_; ///< each crease as the crease's two half-edges
     std::vector<uint32_t> fan_;
-    std::vector<uint32_t> around_; ///< all half-edges between the same two points
+    std::vector<uint32_t> around_; ///< all half-edges between two points
 };
 
 } // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Knoeppel, Crane, Pinkall and Schroeder, "Stripe Patterns on Surfaces", SIGGRAPH 2015. This is the
-// unit-length variant: it minimises the energy with |z| = 1 everywhere, so that the eigenvector does not
-// vanish in any part of a mesh.
+// Knoeppel, Crane, Pinkall and Schroeder, "Stripe Patterns on Surfaces", SIGGRAPH 2015. The code implements
+// the unit-length variant: the vector field z that minimises the energy has length 1 everywhere. So the field
+// does not vanish in any part of a mesh.
 //
-// Spacing of the stripes: their phase is a function whose gradient is a unit field n times e^s. Such a
-// function exists if the curl of e^s n is zero. That is the case if s increases along the stripes
-// (perpendicular to n) as the field turns: Jn . grad s = n . grad theta, where J is a quarter turn and theta
-// is the angle of n. This condition on s is solved by least squares, with a smaller penalty on change across
-// the stripes.
+// Spacing of the stripes: the gradient of the stripes' phase is a unit field n times e^s, where s is the
+// logarithm of the stripes' density. A phase with this gradient exists if the curl of e^s n is zero. The curl
+// is zero if the log density s increases along the stripes (perpendicular to n) as the field turns: Jn . grad
+// s = n . grad theta, where n is the unit field, J a quarter turn and theta the angle of n. The equation for
+// the log density s is solved by least squares, with a smaller penalty on change across the stripes.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -23,7 +23,7 @@ namespace {
 constexpr double price_across = 0.2;
 constexpr double most_closeness = 4.0;
 
-/// A triangle in its own plane, with its first edge along x.
+/// A triangle in 2D coordinates of the triangle's plane, with the first edge along x.
 struct Flat {
     /// Gradients of the three barycentric coordinates in the triangle's plane.
     std::array<glm::dvec2, 3> gradients;
@@ -73,7 +73,7 @@ Flat lay_flat(const Mesh& mesh, const Directions& directions, double turn_rad, u
 }
 
 /// Returns the relative density of stripes at each vertex, from 1/4 to 4. The stripes are perpendicular to
-/// the line field rotated by `turn_rad`. Stripes are denser where their lines converge. Cost: linear.
+/// the line field rotated by `turn_rad`. Stripes are denser where the stripes' lines converge. Cost: linear.
 std::vector<double> find_closeness(const Mesh& mesh, const Directions& directions, double turn_rad)
 {
     const size_t count = mesh.points.size();
@@ -207,10 +207,10 @@ private:
         return directions_.turns[mesh_.edge_of[half_edge]] != 0 ? -1.0 : 1.0;
     }
 
-    /// Computes the phases at a triangle's corners from one corner along two edges. On the third edge, the
-    /// phases may then not agree with the neighbouring triangle. Chooses the corner with the least change of
-    /// phase over the triangle. At a singularity, chooses the corner whose opposite edge is shortest, so that
-    /// the signs are equal for both coordinates.
+    /// Computes the phases at a triangle's corners from one corner along two edges. On the triangle's third
+    /// edge, the phases may then not agree with the neighbouring triangle. Chooses the corner with the least
+    /// change of phase over the triangle. At a singularity, chooses the corner whose opposite edge is
+    /// shortest, so that the signs are equal for both coordinates.
     void paint_triangle(uint32_t t)
     {
         const uint32_t h = 3 * t;
@@ -298,7 +298,7 @@ private:
     std::vector<Gain> gains_;    ///< increase of the stripes' phase along each edge
     std::vector<double> phases_; ///< phase at each vertex, in periods
     Stripes stripes_;
-    /// For each corner of a triangle: sign of the triangle's phases relative to those of the vertex.
+    /// For each corner of a triangle: sign of the triangle's phases relative to the vertex's phases.
     std::vector<std::array<double, 3>> senses_;
 };
 

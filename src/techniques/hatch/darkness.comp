@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one pixel. It computes the darkness that the strokes must reach there, and initializes
-// the pixel's ink to blank. The shader also lists the tiles that have any darkness. The threads of a tile
-// share results through subgroup operations, because barriers are slow on CPU devices.
+// One thread handles one pixel. The thread computes the darkness that the strokes must reach at the pixel,
+// and initializes the pixel's ink to blank. The shader also lists the tiles that have any darkness. The
+// threads of a tile share results through subgroup operations, because barriers are slow on CPU devices.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -71,8 +71,8 @@ float darkness_at(ivec2 pixel)
     }
     dark = sees_draw(word) ? dark : 0.0;
     if (has_screen) {
-        // A surface behind a transparent surface is drawn lighter, as if it were seen through tracing paper.
-        // The darkness values of both surfaces are mixed.
+        // A surface behind a transparent surface is drawn lighter, as if the surface were seen through
+        // tracing paper. The darkness values of both surfaces are mixed.
         vec4 screen = texelFetch(screen_image, pixel, 0);
         float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
         dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;

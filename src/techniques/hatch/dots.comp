@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread draws one pixel of a screentone: dots on a lattice that lies on the page. The lattice is
-// attached to the shaded object, so that it moves with the object.
+// attached to the shaded object, so that the dots move with the object.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -46,7 +46,8 @@ gpu::ImageId ink_image(gpu::Graph& graph, glm::uvec2 size_px)
 uint32_t reach_px(const HatchStyle& style, float pixels_per_mm)
 {
     const float overrun_px = style.overrun_mm * pixels_per_mm;
-    // Jump flooding with the steps s, s/2, ..., 1 reaches a source at most 2 s - 1 pixels away.
+    // Jump flooding with halved steps, down to 1, reaches a source up to twice the first step minus one pixel
+    // away.
     return overrun_px > 0.0F ? 2U * std::bit_ceil(static_cast<uint32_t>(std::ceil(overrun_px))) : 0U;
 }
 
@@ -75,7 +76,7 @@ FirstLayer first_layer(const HatchStyle& style)
 {
     // Largest darkness of a single layer of strokes, as a share of the darkness of full shadow.
     constexpr float single_share = 0.7F;
-    // The formula must equal kept_share() of shaders/lines.glsl; a test checks this.
+    // The formula must give the results of kept_share() of shaders/lines.glsl; a test checks the equality.
     const float ends_mm = style.gap_mm > 0.0F ? 0.75F * (style.gap_mm + style.taper_mm) : 0.0F;
     const float kept = std::max(1.0F - ends_mm / std::max(style.length_mm, 1e-3F), 0.1F);
     const float share = style.layers > 1 ? shared::first_layer_share : single_share;

@@ -10,13 +10,14 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-// Value in the image of overrun.comp: no strokes of another pixel extend into this pixel.
+// Value in the image of overrun.comp: no strokes of another pixel extend into the pixel.
 SHARED_CONSTANT uint no_source = 0xffffffffU;
 
 // The ramp of a tonal art map is a table. The table converts a wanted darkness, from 0 to 1, to the value to
 // look up in the map: a threshold, or a tone counted from 0 for paper. Drawn with that value, the map's mean
 // ink is the wanted darkness. `ramp_steps` rows cover the blend from a mip level to the next coarser level.
-// The first block of rows blends the finest level with itself at half the size; one block per level follows.
+// The first block of rows blends the finest mip level with that level repeated at half the size; one block
+// per mip level follows.
 SHARED_CONSTANT uint ramp_length = 256U;
 SHARED_CONSTANT uint ramp_steps = 8U;
 
@@ -30,7 +31,7 @@ SHARED_CONSTANT uint darkness_has_variants = 1U << 2U;
 SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U;
 
 // Variant bit (compiled-in feature) of overrun.comp: the first step of the jump flooding, in which each pixel
-// is its own source of strokes.
+// draws strokes only from itself.
 SHARED_CONSTANT uint overrun_is_first = 1U << 0U;
 
 // Variant bits: each bit compiles one feature into the shaders lines.comp and trace.comp.
@@ -50,7 +51,7 @@ SHARED_CONSTANT uint lines_kinds_shift = 8U;
 SHARED_CONSTANT uint map_tone_mask = 3U;
 SHARED_CONSTANT uint map_in_order = 0U;  // a darker tone adds stroke after stroke, by the map's thresholds
 SHARED_CONSTANT uint map_in_blends = 1U; // two neighbouring tones are blended
-SHARED_CONSTANT uint map_in_steps = 2U;  // each pixel shows only the nearer of two tones
+SHARED_CONSTANT uint map_in_steps = 2U;  // each pixel shows only one tone, the nearer of two tones
 SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
 // The shader adds its strokes to the ink of other style variants (styles of certain materials or objects),
 // drawn earlier in the frame.
@@ -99,7 +100,7 @@ inline constexpr float next_layer_share = 0.50F;
 #define NEXT_LAYER_SHARE 0.50
 #endif
 
-// Constants of overrun.comp, which finds for each pixel the pixels whose strokes run over into it.
+// Constants of overrun.comp, which finds for each pixel the pixels whose strokes run over into the pixel.
 struct OverrunConstants {
     uvec2 size_px;
     int step_px;

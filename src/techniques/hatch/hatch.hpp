@@ -24,7 +24,7 @@ enum class MapTone : uint8_t {
     order = shared::map_in_order, ///< more darkness adds stroke after stroke, by the map's thresholds
     /// Two neighbouring tones are blended, then the contrast about middle grey is increased.
     blend = shared::map_in_blends,
-    step = shared::map_in_steps ///< each pixel shows only the nearer of two tones
+    step = shared::map_in_steps ///< each pixel shows only one tone, the nearer of two tones
 };
 
 /// A tonal art map for shading, as square images of 8-bit texels, row by row from the top. The finest mip
@@ -37,9 +37,9 @@ struct MapData {
     std::vector<std::vector<uint8_t>> threshold_of_level;
 };
 
-/// Measures a map and computes its ramp (a table, see hatch.glsl.h). With the ramp, the drawn mean ink equals
-/// the wanted darkness at every mip level and between levels, even if the map's own tones are uneven. Cost:
-/// 60 ms for 512 px.
+/// Measures a tonal art map and computes the map's ramp (a table, see hatch.glsl.h). With the ramp, the drawn
+/// mean ink equals the wanted darkness at every mip level and between mip levels. That holds even if the
+/// map's own tones are uneven. Cost: 60 ms for 512 px.
 [[nodiscard]] std::vector<float> measured_ramp(const MapData& map, MapTone tone, float contrast);
 
 struct MapImages {
@@ -100,8 +100,8 @@ struct HatchStyle {
 
 [[nodiscard]] const style::Table<HatchStyle>& hatch_table();
 
-/// The first layer of lines in full shadow. Effects whose marks follow the strokes of that layer need these
-/// values.
+/// The first layer of lines in full shadow. Effects with marks that follow the strokes of the first layer
+/// need the values of FirstLayer.
 struct FirstLayer {
     float width_mm = 0.3F;
     float darkness = 0.5F; ///< darkness of the lines without the gaps between strokes
@@ -140,7 +140,7 @@ struct HatchInputs {
     uint32_t strokes_present =
         0xff; ///< bit mask of the kinds of stroke that occur in `draw`, see shaders/stroke_kind.glsl.h
     /// Direction towards the strongest local light at each pixel, octahedral in r32ui; 0 if there is none.
-    /// Strokes along the light follow these directions.
+    /// Strokes along the light follow the stored directions.
     std::optional<gpu::ImageId> strongest_light;
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
     /// Unit vector of the wind on the ground, as (x, z), for strokes along the slope.
@@ -163,7 +163,7 @@ struct HatchInputs {
 struct HatchVariant {
     HatchStyle style;
     shared::ToneConstants tone;
-    std::optional<MapInputs> map; ///< tonal art map; set if this variant's style uses one
+    std::optional<MapInputs> map; ///< tonal art map; set if the variant's style uses a tonal art map
 };
 
 /// Returns a copy of `in` for one of several style variants (styles of certain materials or objects), which
@@ -171,10 +171,10 @@ struct HatchVariant {
 [[nodiscard]] HatchInputs inputs_of_variant(const HatchInputs& in, const std::vector<HatchVariant>& variants,
                                             uint32_t number, std::optional<gpu::ImageId> ink_before);
 
-/// The darkness that the strokes must reach, and a list of the tiles where it is not zero.
+/// The darkness that the strokes must reach, and a list of the tiles where the darkness is not zero.
 struct Darkness {
     gpu::ImageId image;  ///< r16f: darkness from 0 for paper to 1 for ink
-    gpu::ImageId blank;  ///< ink of the page before this style variant draws its strokes
+    gpu::ImageId blank;  ///< ink of the page before the style variant draws strokes
     gpu::BufferId tiles; ///< list of the tiles that are not blank, see darkness.comp
 };
 
@@ -191,7 +191,8 @@ struct Darkness {
                                      const HatchStyle& style);
 
 /// Draws strokes of a tonal art map; requires `in.map`. Near the eye, the map's finest level would be
-/// enlarged. It is repeated at half the size instead, so that strokes keep their width at any zoom.
+/// enlarged. Near the eye, the finest mip level is repeated at half the size, so that strokes keep their
+/// width at any zoom.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch, five texels per pixel
@@ -200,12 +201,12 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                    const HatchStyle& style);
 
-/// Largest distance in pixels from a pixel to another pixel whose strokes extend into it; 0 if strokes do
-/// not run over silhouettes.
+/// Largest distance in pixels between a pixel and a neighbour whose strokes extend into the first pixel; 0 if
+/// strokes do not run over silhouettes.
 [[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
 
-/// Draws dots of a screentone. Their mean ink is the wanted darkness, or the nearest tone. The dots lie on
-/// the page and move with the object that they shade.
+/// Draws dots of a screentone. The mean ink of the dots is the wanted darkness, or the nearest tone. The dots
+/// lie on the page and move with the object that they shade.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch

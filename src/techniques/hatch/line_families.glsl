@@ -49,17 +49,17 @@ bool lies_flat(uint kind)
     return has_flat && (!has_slices || is_flat(kind));
 }
 
-// State of the loop over the families of strokes: two per layer, each with the darkness that it must draw.
-// The share of white paper that the wanted darkness leaves is the product of the shares that the families
-// leave. In each layer, the family that draws more comes first. The other family is skipped if it draws
-// nothing.
+// State of the loop over the families of strokes: two per layer, each with the darkness that the family must
+// draw. The share of white paper that the wanted darkness leaves is the product of the shares that the
+// families leave. In each layer, the family that draws more comes first. A layer's second family is skipped
+// if that family draws nothing.
 struct Families {
     uint layer;
     bool is_second;
-    float remaining; // darkness that this layer and all later layers must draw
+    float remaining; // darkness that the current layer and all later layers must draw
 };
 
-// Share of the remaining darkness that a layer draws. The last layer draws all of it.
+// Share of the remaining darkness that a layer draws. The last layer draws all of the remaining darkness.
 float layer_share(uint layer, float remaining)
 {
     float most = layer == 0u ? FIRST_LAYER_SHARE : NEXT_LAYER_SHARE;
@@ -80,8 +80,8 @@ bool is_any_left(Families families)
     return families.layer < constants.layers && families.remaining > 1e-4;
 }
 
-// Advances to the next family of strokes. Returns the darkness that this family must draw; 0 if there is no
-// further family.
+// Advances to the next family of strokes. Returns the darkness that the next family of strokes must draw; 0
+// if there is no further family.
 float next_family(inout Families families, vec3 normal, uint kind, out uint family)
 {
     family = 0u;
@@ -112,8 +112,8 @@ uint family_seed(uint family)
     return hash(constants.seed * 64u + family);
 }
 
-// The coordinate that the lines of a family follow at a place of the surface, and the change of this
-// coordinate per pixel.
+// The coordinate that the lines of a family follow at a place of the surface, and the coordinate's change per
+// pixel.
 LineField family_field(vec3 p, Footprint f, uint kind, uint family)
 {
     bool flat_here = lies_flat(kind);

@@ -19,7 +19,7 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform usampler2D normal_image;
 layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
-// For each pixel: the pixel whose strokes extend into it, see overrun.comp.
+// For each pixel: the pixel whose strokes extend into the first pixel, see overrun.comp.
 layout(binding = 5) uniform usampler2D source_image;
 // Packed direction towards the strongest local light; 0 for none.
 layout(binding = 6) uniform usampler2D strongest_image;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One thread draws the strokes of a tonal art map at one pixel. For every texel, the map stores the ink of
 // every tone, and a threshold: the darkness at which the texel turns to ink. Every mip level is drawn
-// separately and is not a filtered image. Near the eye, the finest level is repeated at half the size, again
-// and again, so that strokes do not get wider.
+// separately and is not a filtered image. Near the eye, the finest mip level is repeated at half the size,
+// again and again, so that strokes do not get wider.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,7 +24,7 @@ layout(scalar, binding = 6) readonly buffer Ramp
     float ramp[];
 };
 
-// For each pixel: the pixel whose strokes extend into it, see overrun.comp.
+// For each pixel: the pixel whose strokes extend into the first pixel, see overrun.comp.
 layout(binding = 7) uniform usampler2D source_image;
 layout(binding = 8, r16f) uniform image2D out_ink;
 
@@ -47,8 +47,8 @@ struct Place {
     float lod; // level of detail: 0 is the finest mip level; below 0 that level is repeated at smaller size
 };
 
-// Position in the tonal art map. The surface in its rest pose is projected along the coordinate axis that it
-// faces most, so strokes stay attached to the surface.
+// Position in the tonal art map. The surface in its rest pose is projected along the coordinate axis that the
+// surface faces most, so strokes stay attached to the surface.
 Place place_on(uint kind, vec3 p, Footprint f)
 {
     vec3 facing = abs(cross(f.dx, f.dy));
@@ -60,7 +60,7 @@ Place place_on(uint kind, vec3 p, Footprint f)
     vec2 dx = along_z ? f.dx.xy : along_y ? f.dx.xz : f.dx.zy;
     vec2 dy = along_z ? f.dy.xy : along_y ? f.dy.xz : f.dy.zy;
     // On a tilted surface, a pixel covers different lengths of the map in two directions. The mip level is
-    // chosen by a mean of both, so that the mean width of strokes is constant.
+    // chosen by the mean of the two lengths, so that the mean width of strokes is constant.
     float area = abs(dx.x * dy.y - dx.y * dy.x);
     float widest = max(dot(dx, dx), dot(dy, dy));
     float texels = float(constants.map_size_texels) / constants.texels_per_px;
@@ -70,8 +70,8 @@ Place place_on(uint kind, vec3 p, Footprint f)
 
 struct Levels {
     vec2 fine;   // position in the finer of two mip levels
-    vec2 coarse; // position in the coarser mip level
-    int level;   // number of the finer mip level
+    vec2 coarse; // position in the coarser of two mip levels
+    int level;   // number of the finer of two mip levels
     float towards_coarse;
     bool repeats;
 };

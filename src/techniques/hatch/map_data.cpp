@@ -17,11 +17,11 @@ namespace {
 using shared::ramp_length;
 using shared::ramp_steps;
 
-/// A mip level is measured at no more than this many places along a side.
+/// Largest number of places along a side at which a mip level is measured.
 constexpr uint32_t measured_side = 96;
 
 /// Fills one row of the ramp with the inverse of the increasing function `ink_at`. The row contains, for each
-/// darkness from 0 to 1, the x in [low, high] at which `ink_at` reaches that darkness.
+/// darkness from 0 to 1, the argument x in [low, high] at which the function `ink_at` reaches that darkness.
 void invert(const std::function<double(double)>& ink_at, double low, double high, float* row)
 {
     constexpr size_t samples = 256;
@@ -71,14 +71,14 @@ Four four_at(const std::vector<uint8_t>& image, uint32_t side, float x, float y)
     return four;
 }
 
-/// Texels looked up in a mip level and, at the same places, in the next coarser level.
+/// Texels looked up in a mip level and, at equal places, in the next coarser mip level.
 struct Pair {
     std::vector<Four> fine;
     std::vector<Four> coarse;
 };
 
-/// Samples a mip level and the next coarser level. If `level` is -1, samples the finest level repeated at
-/// half the size, and the finest level itself.
+/// Samples a mip level and the next coarser level. If the number `level` is -1, samples the finest mip level
+/// repeated at half the size, and the finest mip level itself.
 Pair pair_of(const std::vector<std::vector<uint8_t>>& levels, uint32_t size_px, int level)
 {
     const auto fine_level = static_cast<size_t>(std::max(level, 0));
@@ -109,7 +109,7 @@ double contrasted(double value, double contrast)
 }
 
 /// Computes one row of the ramp from thresholds. `towards` is the blend from the finer mip level (0) to the
-/// coarser level (1).
+/// coarser mip level (1).
 void measure_order(const Pair& thresholds, float towards, double contrast, float* row)
 {
     std::array<double, 512> shares{};

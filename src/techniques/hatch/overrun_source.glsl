@@ -2,8 +2,8 @@
 // Finds where the strokes at a pixel come from, if strokes run over silhouettes. Requires before inclusion:
 // darkness_image, draw_image, has_overrun, source_image as written by overrun.comp, and OVERRUN_PX.
 
-// The pixel whose strokes are drawn at `pixel`: the pixel itself, or a nearby pixel whose strokes run over
-// onto blank paper. `share` becomes the part of that pixel's darkness that is drawn at `pixel`.
+// The pixel whose strokes are drawn at `pixel`: the pixel itself, or a nearby pixel with strokes that run
+// over onto blank paper. `share` becomes the part of that pixel's darkness that is drawn at `pixel`.
 ivec2 source_of(ivec2 pixel, out float share)
 {
     share = 1.0;

@@ -16,7 +16,7 @@ float haze_depth(ivec2 pixel)
     return texelFetch(depth_image, clamp(pixel, ivec2(0), ivec2(frame.size_px) - 1), 0).x;
 }
 
-// Number of times that haze halves the contrast of a point at this pixel and depth.
+// Number of times that haze halves the contrast of a point at a pixel and depth.
 float halvings(ivec2 pixel, float depth)
 {
     vec3 from_eye = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)) - frame.eye_anchor;
@@ -32,11 +32,11 @@ float ink_left(ivec2 pixel, float depth)
 const ivec2 eight_ways[8] = ivec2[8](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(1, 1),
                                      ivec2(-1, 1), ivec2(-1, -1), ivec2(1, -1));
 
-// Depth of the surface to which a line at this pixel belongs. Half of a line's width is outside the edge that
+// Depth of the surface to which a line at a pixel belongs. Half of a line's width is outside the edge that
 // the line follows, over a farther surface or the background. To find the depth of the line's surface, each
-// sample extrapolates the depth of neighbours to this pixel: reversed depth is linear over a plane in page
-// coordinates. This gives the pixel's own depth on that plane, or the depth of a nearer surface that ends
-// between sample and pixel. Negative if no surface is near.
+// sample extrapolates the depth of neighbours to the line's pixel, because reversed depth is linear over a
+// plane in page coordinates. The extrapolation gives the depth on the plane at the pixel, or the depth of a
+// nearer surface that ends between sample and pixel. Negative if no surface is near.
 float line_depth(ivec2 pixel, float own)
 {
     float nearest = own > 0.0 ? own : -1.0;

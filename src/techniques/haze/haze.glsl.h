@@ -14,7 +14,7 @@ struct HazeConstants {
     float start_m;      // distance up to which there is no haze
     float halves_per_m; // halvings of contrast per metre, beyond start_m
     float ink;          // factor by which strokes and lines fade faster than colour
-    uint line_reach_px; // largest distance in pixels of a line's pixel from the edge it follows
+    uint line_reach_px; // largest distance in pixels of a line's pixel from the edge that the line follows
 };
 
 #ifdef __cplusplus

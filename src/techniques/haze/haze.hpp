@@ -28,7 +28,7 @@ struct HazeStyle {
 struct HazeInputs {
     gpu::BufferId frame; ///< buffer with a FrameGlobals record
     gpu::ImageId depth;  ///< r32f: reversed depth; 0 is the background
-    /// Half the width of the widest line, which is the part outside the edge that it follows.
+    /// Half the width of the widest line: the part of the line outside the edge that the line follows.
     float line_half_px = 1.0F;
     glm::uvec2 size_px{0};
     /// Tiles to fade, from surface::add_far_tiles() beyond start_m; empty: the whole page.

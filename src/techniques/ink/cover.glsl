@@ -12,7 +12,7 @@ float edged(float body)
     return body * mix(1.0, 4.0 * body * (1.0 - body), globals.edge);
 }
 
-// x: coverage of the page by ink, before the budget limits it; y: density of the ink.
+// x: coverage of the page by ink, before the coverage budget limits the ink; y: density of the ink.
 vec2 ink_cover(vec2 wet_and_dry)
 {
     vec2 body = smoothstep(vec2(globals.thin), vec2(globals.full), wet_and_dry);
@@ -21,7 +21,7 @@ vec2 ink_cover(vec2 wet_and_dry)
     return vec2(1.0 - (1.0 - wet) * (1.0 - dry), max(body.x, dry_cover * body.y));
 }
 
-// Size of the grid of pixels where ink coverage is measured, one of four pixels.
+// Size of the grid of pixels where ink coverage is measured, each second pixel in x and y.
 uvec2 measured_size()
 {
     return (globals.measured_px + 1u) / 2u;

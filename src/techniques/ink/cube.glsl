@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INK_CUBE
 #define ESTAMPE_INK_CUBE
 
-// A cube map of ink around the eye. The order of faces is +x, -x, +y, -y, +z, -z. `at` runs from -1 to 1 over
-// a face, and beyond that range in the face's gutters (extra cells beyond its edges).
+// A cube map of ink around the eye. The order of faces is +x, -x, +y, -y, +z, -z. The position `at` runs from
+// -1 to 1 over a face, and beyond that range in the face's gutters (extra cells beyond the edges).
 
 struct FacePlace {
     uint face;

@@ -5,7 +5,7 @@
 // Finds the foreground object next to a pixel, because half of an outline's width is drawn outside the
 // object's edge. Requires before inclusion: `globals`, `depth_image`.
 
-const float is_nearer = 1.02; // a pixel that is nearer by this factor belongs to another object
+const float is_nearer = 1.02; // a pixel that is nearer by the factor is_nearer belongs to a different object
 
 ivec2 pixel_at(vec2 page_px)
 {
@@ -13,7 +13,7 @@ ivec2 pixel_at(vec2 page_px)
 }
 
 // Among eight places at distance `away_px` around a pixel, the one whose surface is nearest to the eye; the
-// pixel itself if none is nearer.
+// pixel itself if no place has a nearer surface.
 vec2 front_place(vec2 page_px, float away_px)
 {
     vec2 front_px = page_px;

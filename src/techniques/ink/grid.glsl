@@ -62,14 +62,15 @@ vec2 page_place_of_grid(vec2 grid)
     return (grid - globals.margin_cells) / globals.cells_per_px;
 }
 
-// Weights of six ink cells in a row for a place `f` cells beyond the third cell, by Lagrange interpolation.
-// With only four cells, a thin thread of ink is blurred away within a hundred steps.
+// Weights of six ink cells in a row for a place that lies `f` cells beyond the third cell of the row, by
+// Lagrange interpolation. With only four cells for interpolation, a thin thread of ink is blurred away within
+// a hundred steps.
 struct Weights {
     vec3 first;
     vec3 last;
 };
 
-// Interpolation weights; cells outside the grid get weight 0, because they hold no ink.
+// Interpolation weights; cells outside the grid get weight 0, because such cells hold no ink.
 Weights weights_of(float f, int third, int count)
 {
     vec3 first = vec3(-(f + 1.0) * f / 120.0, (f + 2.0) * f / 24.0, -(f + 2.0) * (f + 1.0) / 12.0) *
@@ -77,8 +78,8 @@ Weights weights_of(float f, int third, int count)
     vec3 last =
         vec3((f - 2.0) * (f - 3.0) / 12.0, -(f - 1.0) * (f - 3.0) / 24.0, (f - 1.0) * (f - 2.0) / 120.0) *
         ((f + 2.0) * (f + 1.0) * f);
-    // Indices of cells before the first wrap around to large unsigned numbers, so the comparison below
-    // excludes them.
+    // Indices of cells before the first cell wrap around to large unsigned numbers, so the comparison below
+    // excludes cells before the first.
     uvec3 cells = uvec3(third + ivec3(-2, -1, 0));
     uvec3 more = uvec3(third + ivec3(1, 2, 3));
     return Weights(first * vec3(lessThan(cells, uvec3(uint(count)))),

@@ -24,7 +24,8 @@ constexpr float most_cells = 4e6F;
 constexpr uint32_t unmeasured = 2;
 constexpr uint32_t steps_between_measures = 4;
 
-/// Share of the ink that is left after `seconds`. After `life_s`, 1/e is left, about a third.
+/// Share of the ink that is left after `seconds`. After the time `life_s`, a share of 1/e is left, about 37
+/// percent.
 float left_after(double seconds, float life_s)
 {
     return static_cast<float>(std::exp(-seconds / static_cast<double>(life_s)));
@@ -115,7 +116,7 @@ shared::InkStep step_of(const InkStyle& style, const Waves& waves, const std::ve
 uint32_t first_variant_of(const InkStyle& style, const Grid& grid, const Time& time, const View& view)
 {
     if (grid.face_side > 0) {
-        return 0; // ink cells around the eye have fixed directions in the world, so no motion moves them
+        return 0; // ink cells around the eye have fixed directions in the scene, so no motion moves the cells
     }
     const bool is_on_surface = style.follow == Follow::surface;
     const bool has_motion = view.has_motion && (is_on_surface || style.drag > 0.0F);
@@ -189,7 +190,7 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
                    (!flat_zones.empty() ? shared::ink_has_zones : 0U) |
                    (style.follow == Follow::surface ? shared::ink_spots_on_things : 0U);
     plan.first_variant = first_variant_of(style, plan.grid, time, view);
-    // If only the camera or the scene moved, one step of zero duration moves the ink with them.
+    // If only the camera or the scene moved, one step of zero duration moves the ink along.
     const bool is_moved = (plan.first_variant & shared::ink_is_moved) != 0;
     const uint32_t count = std::max(time.steps, is_moved ? 1U : 0U);
     const double seconds = count > 0 ? (time.to_s - time.from_s) / count : 0.0;
@@ -397,7 +398,8 @@ private:
         return source;
     }
 
-    /// For ink in a cube around the eye, the step shader computes the flow cell by cell instead.
+    /// For ink in a cube around the eye, the step shader computes the flow per cell, and no pass stores the
+    /// flow.
     gpu::BufferId add_stream(const shared::InkStep& step)
     {
         const gpu::BufferId map = gpu::import_whole(graph_, "ink/flow map", memory_.map_);

@@ -10,7 +10,7 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint ink_wave_count = 6U;
 SHARED_CONSTANT uint most_ink_zones = 8U;
-SHARED_CONSTANT uint ink_shape_side = 64U; // nodes per side of the field of a zone with the shape of a mesh
+SHARED_CONSTANT uint ink_shape_side = 64U;   // nodes per side of the field of a zone with the shape of a mesh
 SHARED_CONSTANT uint ink_map_side = 64U;     // nodes per side of a flow map's stream function
 SHARED_CONSTANT uint ink_node_cells = 4U;    // cells of ink between two nodes of the stream function
 SHARED_CONSTANT uint ink_gutter = 3U;        // extra cells of a cube face beyond each edge
@@ -27,13 +27,14 @@ SHARED_CONSTANT uint ink_on_surface = 1U << 4U;  // ink lies at the depth of the
 SHARED_CONSTANT uint ink_has_motion = 1U << 5U;  // some objects moved since the last picture
 SHARED_CONSTANT uint ink_keeps_depth = 1U << 6U; // the step stores surface depths for the next picture
 SHARED_CONSTANT uint ink_has_mask = 1U << 7U;    // only some objects give ink
-SHARED_CONSTANT uint ink_spots_on_things = 1U << 8U; // spots of ink stay on the objects instead of the page
+SHARED_CONSTANT uint ink_spots_on_things = 1U << 8U; // spots of ink stay on the objects, not on the page
 SHARED_CONSTANT uint ink_from_strokes = 1U << 9U;    // dark hatching strokes give ink
-// Bright places give ink; with neither this bit nor ink_from_strokes, all objects give ink.
+// Bright places give ink; with neither ink_from_light nor ink_from_strokes, all objects give ink.
 SHARED_CONSTANT uint ink_from_light = 1U << 10U;
 SHARED_CONSTANT uint ink_in_strips = 1U << 11U; // for CPUs: one thread processes a strip of cells
 
-// One wave of the ink's stream function: amplitude * sin(2 pi (dot(wave, place) + phase)).
+// One wave of the ink's stream function: amplitude * sin(2 pi (dot(wave, place) + phase)) at the position
+// `place`.
 struct InkWave {
     vec3 wave; // direction and turns per millimetre of the wave; around the eye, turns per radian
     // Amplitude of the wave, in square millimetres per second; around the eye, in square radians per second.
@@ -42,9 +43,9 @@ struct InkWave {
 
 // An area where an object drives the ink, and may give ink: a disc, or the area that a mesh covers.
 struct InkZone {
-    vec2 middle_mm; // middle of the zone on the page
-    float radius_mm; // radius of the disc, or of a disc of the same area
-    float amount; // factor on the ink that the drawing gives in the zone
+    vec2 middle_mm;  // middle of the zone on the page
+    float radius_mm; // radius of the disc, or of a disc with the area of the mesh's zone
+    float amount;    // factor on the ink that the drawing gives in the zone
     vec2 velocity_mm_per_s;
     float turn_rad_s; // rotation of the flow about the zone's middle, clockwise on the page
     float gives;      // ink that the zone itself emits, 0 to 1
@@ -55,9 +56,10 @@ struct InkZone {
 
 // Constants of all ink steps of a picture.
 struct InkGlobals {
-    mat4 before_from_clip; // transform from this picture's clip space to the page of the previous picture
-    vec3 wind_axis;        // rotation of the wind around the eye, in radians per second
-    uint face_side;        // cells per side of a cube face without gutters
+    // Transform from the current picture's clip space to the page of the previous picture.
+    mat4 before_from_clip;
+    vec3 wind_axis; // rotation of the wind around the eye, in radians per second
+    uint face_side; // cells per side of a cube face without gutters
     InkWave waves[ink_wave_count];
     InkZone zones[most_ink_zones];
     uint zone_count;
@@ -81,8 +83,8 @@ struct InkGlobals {
     float spacing_mm;
     uint seed;
     // The appearance of flowing ink.
-    float thin; // ink below this amount is invisible
-    float full; // ink above this amount has full opacity
+    float thin; // amount of ink below which ink is invisible
+    float full; // amount of ink above which ink has full opacity
     float opacity;
     float edge;
     float budget;
@@ -94,16 +96,16 @@ struct InkGlobals {
 
 // Constants of one ink step.
 struct InkStep {
-    float phases[ink_wave_count];       // phases of the waves at the time of this step, in turns
+    float phases[ink_wave_count];       // phases of the waves at the time of the step, in turns
     float zone_streams[most_ink_zones]; // value of the stream function in the middle of each zone
     float seconds;
     float left;       // share of the wet ink that stays wet
     float stain_left; // share of the dry ink that stays
     float soak;       // share of the wet ink that dries into the paper
-    float given;      // share of the missing ink that a spot adds in this step
-    float keeps;      // 1: ink existed before this step; 0: there was no ink
-    uint sum_before;  // index of the coverage sum of the ink before this step
-    uint sum_now;     // index of the coverage sum of the ink after this step; 2: not measured
+    float given;      // share of the missing ink that a spot adds in the step
+    float keeps;      // 1: ink existed before the step; 0: there was no ink
+    uint sum_before;  // index of the coverage sum of the ink before the step
+    uint sum_now;     // index of the coverage sum of the ink after the step; 2: not measured
 };
 
 // The current time, in lifetimes of an ink spot.

@@ -29,14 +29,15 @@ struct Page {
     [[nodiscard]] glm::vec2 size_mm() const { return glm::vec2(size_px) / pixels_per_mm; }
 };
 
-/// The grid of ink cells: over the page and a margin, or on the six faces of a cube around the eye, one below
-/// the other.
+/// The grid of ink cells: over the page and a margin, or on the six faces of a cube around the eye, stored
+/// one below the other.
 struct Grid {
     glm::uvec2 size{0};
     glm::vec2 margin_cells{0.0F};
     float cells_per_px = 1.0F;
     float mm_per_cell = 1.0F; ///< size of a cell; on a cube, in the middle of a face
-    uint32_t face_side = 0;   ///< cells per side of a cube face without its gutters; 0: the grid is no cube
+    /// Cells per side of a cube face without gutters (extra cells beyond the edges); 0: no cube.
+    uint32_t face_side = 0;
 
     [[nodiscard]] uint64_t cell_count() const { return uint64_t{size.x} * size.y; }
 
@@ -54,13 +55,14 @@ struct Time {
 };
 
 /// Divides the time since the last picture into steps of at most the length that the style asks for. Ink
-/// starts new, `age_s` ago, if there is no `before_s`, or if the time since then is negative or more than a
-/// second. The steps are longer if there would be more than about a hundred.
+/// starts new, `age_s` ago, if there is no previous time `before_s`, or if the time since `before_s` is
+/// negative or more than a second. The steps are lengthened if there would be more than about a hundred
+/// steps.
 [[nodiscard]] Time time_of(const InkStyle& style, double time_s, std::optional<double> before_s);
 
-/// The camera, and its motion since the last picture.
+/// The camera, and the camera's motion since the last picture.
 struct View {
-    /// transform from this picture's clip space to the last picture's, without jitter
+    /// transform from the current picture's clip space to the last picture's clip space, without jitter
     glm::mat4 before_from_clip{1.0F};
     bool is_moved = false;    ///< `before_from_clip` is not the identity
     bool has_motion = false;  ///< some objects moved since the last picture
@@ -79,9 +81,10 @@ struct Plan {
     /// Bits for the shaders of all passes; the first step also has the bits of `first_variant`.
     uint32_t variant = 0;
     uint32_t first_variant = 0;
-    std::vector<uint32_t> mask; ///< per draw call: whether it gives ink; empty: all draw calls do
-    /// A further stream function, at the nodes of a flow map, in square millimetres per second. Empty: there
-    /// is none.
+    /// Per draw call: whether the draw call gives ink; empty: all draw calls give ink.
+    std::vector<uint32_t> mask;
+    /// A further stream function, at the nodes of a flow map, in square millimetres per second. The vector is
+    /// empty if there is no further stream function.
     std::vector<float> stream;
     std::vector<float> zone_shapes; ///< fields of the zones that have one, ink_shape_side nodes each way
 };
@@ -90,7 +93,7 @@ struct Plan {
                            const std::vector<shared::InkZone>& zones);
 
 /// Adds a stream function to the flow of a plan: `shared::ink_map_side` nodes each way over the page, in
-/// square millimetres per second. Has no effect on ink in a cube around the eye.
+/// square millimetres per second. add_stream() has no effect on ink in a cube around the eye.
 void add_stream(Plan& plan, std::vector<float> stream);
 
 /// Makes a plan that shows the ink of `plan` on the page at another resolution, without further steps.
@@ -99,15 +102,16 @@ void add_stream(Plan& plan, std::vector<float> stream);
 /// The ink that is kept from picture to picture.
 class Memory {
 public:
-    /// Allocates the buffers that the plan needs. Discards kept ink of another grid, so a plan for a new grid
-    /// must start with no ink. Throws Error when memory runs out, or when `flow_map` of the style cannot be
-    /// read.
+    /// Allocates the buffers that the ink plan (the steps of one picture) needs. Discards kept ink of another
+    /// grid, so a plan for a new grid must start with no ink. Throws Error when memory runs out, or when
+    /// `flow_map` of the style cannot be read.
     void ensure(gpu::Device& device, const InkStyle& style, const Plan& plan);
 
     /// Prepares to show the kept ink on the page of `plan`, whose grid must be unchanged.
     void show(gpu::Device& device, const Plan& plan);
 
-    /// Whether ink of this grid is kept, so that a plan can continue from this ink.
+    /// Whether ink of `grid` is kept, so that a plan (the ink steps of one picture) can continue from the
+    /// kept ink.
     [[nodiscard]] bool holds(const Grid& grid) const { return time_s_ && grid == grid_; }
 
     /// The time of the kept ink; empty if no ink is kept.
@@ -158,15 +162,16 @@ private:
 
 /// The images that give ink, or on which ink lies.
 struct Inputs {
-    gpu::BufferId frame;                ///< buffer with a FrameGlobals record
-    gpu::ImageId hatch;                 ///< r16f: ink of the hatching strokes
-    gpu::ImageId lines;                 ///< rgba8: contour lines, coverage in alpha
-    gpu::ImageId light;                 ///< rgba16f: light on surfaces, brightness in alpha
-    gpu::ImageId draw;                  ///< r32ui: draw call and flags per pixel
-    gpu::ImageId depth;                 ///< r32f: reversed depth
-    gpu::ImageId coordinate;            ///< rgba32f: surface coordinate of hatching strokes
-    gpu::ImageId footprint;             ///< rgba32ui: pixel footprint, see shaders/surface_images.glsl
-    std::optional<gpu::ImageId> motion; ///< motion of surfaces; required if the plan's view has motion
+    gpu::BufferId frame;     ///< buffer with a FrameGlobals record
+    gpu::ImageId hatch;      ///< r16f: ink of the hatching strokes
+    gpu::ImageId lines;      ///< rgba8: contour lines, coverage in alpha
+    gpu::ImageId light;      ///< rgba16f: light on surfaces, brightness in alpha
+    gpu::ImageId draw;       ///< r32ui: draw call and flags per pixel
+    gpu::ImageId depth;      ///< r32f: reversed depth
+    gpu::ImageId coordinate; ///< rgba32f: surface coordinate of hatching strokes
+    gpu::ImageId footprint;  ///< rgba32ui: pixel footprint, see shaders/surface_images.glsl
+    /// Motion of surfaces; required if the view of the ink plan has motion.
+    std::optional<gpu::ImageId> motion;
 };
 
 /// The flowing ink that a picture shows.
@@ -178,7 +183,7 @@ struct Flowing {
     uint32_t variant = 0;
 };
 
-/// Adds the ink steps of the plan.
+/// Adds the ink steps of `plan`.
 ///
 /// Cost    one dispatch over the grid for the sources; one per step, with 16 texel reads and twelve sines per
 ///         cell, 32 texel reads if something moved; one over a quarter of the page per step, or every four

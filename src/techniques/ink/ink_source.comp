@@ -26,7 +26,7 @@ layout(binding = 2) uniform sampler2D hatch_image;
 layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D light_image;
 layout(binding = 5) uniform usampler2D draw_image;
-// One word per draw call: whether it gives ink; for ink_has_mask.
+// One word per draw call: whether the draw call gives ink; only with the variant bit ink_has_mask.
 layout(binding = 6) uniform usamplerBuffer mask_texels;
 layout(binding = 7) uniform usamplerBuffer state_texels; // cells of ink, used by grid.glsl
 layout(binding = 8) uniform sampler2D coordinate_image;  // surface coordinates, for ink_spots_on_things
@@ -58,13 +58,13 @@ const int strip = (variant & ink_in_strips) != 0u ? int(ink_strip) : 1;
 #include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
 
-// Small spots give ink. Each cell of a lattice has one spot, which swells, fades, and is then replaced by
-// another.
+// Small spots give ink. Each cell of a lattice has one spot, which swells, fades, and is then replaced by a
+// new spot.
 
 #include "shaders/hash.glsl"
 
-// A spot of ink at a place. x: the share of its ink that the spot gives, 0 to 1; y: the spot's rank, 0 to 1.
-// When the area covered by ink nears the style's limit, spots of high rank give no ink.
+// A spot of ink at a place. x: the share of the spot's ink that the spot gives, 0 to 1; y: the spot's rank, 0
+// to 1. When the area covered by ink nears the style's limit, spots of high rank give no ink.
 vec2 no_spot()
 {
     return vec2(0.0, 1.0);
@@ -94,9 +94,9 @@ vec2 spot_on_page(vec2 place_mm)
                         vec3(0.0, 0.0, 1.0));
 }
 
-// The ink spot on an object, at a surface coordinate of hatching strokes with this footprint per pixel. Spots
-// stay on the object when the object or the camera moves. Their size on the page matches the style within a
-// factor of 1.4.
+// The ink spot on an object, at a surface coordinate of hatching strokes with the footprint `footprint` per
+// pixel. Spots stay on the object when the object or the camera moves. The spots' size on the page matches
+// the style within a factor of 1.4.
 vec2 spot_on_thing(vec3 coordinate, Footprint footprint, float px_per_mm, uint thing)
 {
     vec3 across = cross(footprint.dx, footprint.dy);
@@ -174,7 +174,7 @@ vec2 lattice_place_mm(ivec2 cell)
     return (grid - globals.margin_cells) * globals.mm_per_cell;
 }
 
-// Ink that the drawing gives at a place of the page, before spots modulate it.
+// Ink that the drawing gives at a place of the page, before spots modulate the ink.
 float given_at(vec2 page_px)
 {
     float given = drawn_at(page_px);
@@ -202,8 +202,8 @@ vec2 spot_at(ivec2 cell, vec2 page_px)
                         : spot_on_page(lattice_place_mm(cell));
 }
 
-// Most cells give no ink and need no spot. So on CPUs each thread jumps from one ink-giving cell of its strip
-// to the next.
+// Most cells give no ink and need no spot. So on CPUs each thread jumps from one ink-giving cell of the
+// thread's strip to the next such cell.
 void main()
 {
     ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, strip);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of ink: traces the ink back to its place one step before, fades some of it, dries some
-// into the paper, and adds ink from the sources.
+// One thread per cell of ink: traces the ink back to the place one step before. Some of the ink fades, some
+// dries into the paper, and the sources add ink.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -60,7 +60,8 @@ const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/cover.glsl"
 
-// Interpolation weights of nine cells in a row. Six of them, from index `past` (0 to 3) on, are not zero.
+// Interpolation weights of nine cells in a row. Six of the nine weights, from index `past` (0 to 3) on, are
+// not zero.
 struct NineWeights {
     vec4 first;
     vec4 next;
@@ -111,8 +112,8 @@ vec2 ink_at(vec2 grid)
     return clamp(sum, 0.0, 1.0);
 }
 
-// For ink in a cube around the eye: the direction from which ink flows to `direction` in a step, by the
-// velocity half-way back.
+// For ink in a cube around the eye: the direction from which ink flows to `direction` in a step. It is
+// computed with the velocity half-way back.
 vec3 direction_before(vec3 direction, int not_negative)
 {
     vec3 drift = vec3(0.0);
@@ -184,9 +185,9 @@ float was_seen(Before before)
     return before.depth < 0.0 || is_hidden ? 0.0 : 1.0;
 }
 
-// Average ink given along the path of the ink in this step, which ends at `grid`: so a spot gives a thread
-// and not a row of beads. When the covered area nears its budget, fewer spots give ink, each at full
-// strength.
+// Average ink given along the ink's path in the step, which ends at the place `grid`. Because of the average,
+// a spot gives a thread and not a row of beads. When the covered area nears its budget, fewer spots give ink,
+// each spot at full strength.
 float given_along(vec2 grid, vec2 path)
 {
     const int stops = 4;

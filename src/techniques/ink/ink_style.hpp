@@ -13,7 +13,7 @@ enum class Follow : uint8_t {
     page,
     turn,    ///< the background at infinity, which turns with the camera
     advance, ///< a plane in front of the eye, which grows as the camera advances
-    around,  ///< the world's directions: ink lies on a cube around the eye
+    around,  ///< fixed directions of the scene: ink lies on a cube around the eye
     surface  ///< the surface on which the ink lies
 };
 

@@ -238,7 +238,8 @@ std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensP
         return std::nullopt;
     }
     // The blur circle of an infinitely distant point, measured on the plane in focus, is as wide as the
-    // aperture. By similar triangles, this equals the circle on the sensor that circle_mm() returns.
+    // aperture. By similar triangles, a circle of that width corresponds to the circle on the sensor that
+    // circle_mm() returns.
     const double aperture_m =
         1e-3 * static_cast<double>(style.focal_mm) / static_cast<double>(style.f_number);
     const double radius_px = 0.5 * aperture_m / (page.focus_m * page.pixel_at_one_m);

@@ -22,7 +22,8 @@ SHARED_CONSTANT uint lens_is_down = 1U << 7U; // second, vertical pass of the se
 // Sums all mip levels whose texels are not larger than the blur circle.
 SHARED_CONSTANT uint lens_is_sum = 1U << 8U;
 
-SHARED_CONSTANT uint lens_levels = 5U;      // number of mip levels; their texels are 2, 4, ... 32 pixels wide
+// Number of mip levels; the texels of mip levels are 2, 4, ... 32 pixels wide.
+SHARED_CONSTANT uint lens_levels = 5U;
 SHARED_CONSTANT uint lens_block_px = 32U;   // side of a texel of the coarsest mip level
 SHARED_CONSTANT uint lens_tile_px = 16U;    // side of a tile of pixels that share one search radius
 SHARED_CONSTANT float lens_sharp_px = 0.5F; // a pixel whose blur circle has a smaller radius counts as sharp
@@ -31,20 +32,20 @@ SHARED_CONSTANT float lens_nearly_px = 0.75F;
 // Smallest radius of a blur that reads only mip levels, not pixels.
 SHARED_CONSTANT float lens_blurred_px = 1.75F;
 
-// Constants of a lens on a page. Mip levels are aligned to blocks of the whole page, so that each tile of the
-// page computes the same texels.
+// Constants of a lens on a page. Mip levels are aligned to blocks of the whole page, so that all tiles of the
+// page compute equal texels.
 struct LensConstants {
     uvec2 size_px;          // size of the drawn image
-    uvec2 pad_px;           // first drawn pixel, relative to the corner of its block of the page
+    uvec2 pad_px;           // first drawn pixel, relative to the corner of the pixel's block of the page
     float radius_px;        // radius of the circle of confusion at infinite distance, in pixels
     float radius_per_depth; // decrease of the circle's radius per unit of reversed depth
     float most_px;          // upper limit of the radius of any circle of confusion
     float blade_rad;        // angle of one side of the polygonal aperture, in radians
     float blade_turn_rad;   // rotation of the aperture, in radians
-    float blade_scale;      // factor that scales a disc to a polygon of the same area
+    float blade_scale;      // factor that scales a disc to a polygon of equal area
     float line_reach_px;    // largest distance of a line's pixel from the edge that the line follows
-    float widening;         // growth of a line's width per pixel of the circle's radius
-    // Relative growth of strokes and of their distance, per pixel of the circle's radius.
+    float widening;         // growth of a line's width per pixel of the blur circle's radius
+    // Relative growth of strokes and of the strokes' distance, per pixel of the blur circle's radius.
     float widening_per_px;
     float paling_per_px; // share of ink that is lost per pixel of the circle's radius
     float most_wider_px; // largest growth of a line on each side

@@ -45,13 +45,14 @@ struct LensPage {
     double near_m = 0.01;
     double pixel_at_one_m = 0.001; ///< size of a pixel in metres, one metre from the eye
     float pixels_per_mm = 1.0F;    ///< pixels per millimetre of the page
-    float line_half_px = 1.0F;     ///< distance by which the widest line extends beyond its edge, in pixels
+    /// Distance by which the widest line extends beyond the edge that it follows, in pixels.
+    float line_half_px = 1.0F;
 };
 
 /// Returns the constants that all passes of the lens share, or none if the style has no lens.
 [[nodiscard]] std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensPage& page);
 
-/// Largest distance in pixels between a pixel and another pixel on which it depends.
+/// Largest distance in pixels between a pixel and a second pixel on which the first pixel depends.
 [[nodiscard]] uint32_t reach_px(const LensStyle& style, float pixels_per_mm);
 
 struct LensInputs {

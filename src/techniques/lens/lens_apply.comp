@@ -36,7 +36,7 @@ const bool shows_circles = (variant & lens_shows_circles) != 0u;
 #include "techniques/lens/lens_texel.glsl"
 #include "shaders/layers.glsl"
 
-// The layers that a pixel shows, and whether other pixels contribute to these layers.
+// The layers that a pixel shows, and whether neighbouring pixels contribute to the layers.
 struct Seen {
     LayerSample layers;
     bool is_blurred;
@@ -62,7 +62,7 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
                 all(greaterThanEqual(at, ivec2(0))) && all(lessThan(uvec2(at), constants.size_px));
             LensTexel tap =
                 unpack_texel(texelFetch(page_image, clamp(at, ivec2(0), ivec2(constants.size_px) - 1), 0));
-            // The blur of a surface behind this pixel is limited to the pixel's own blur circle.
+            // The blur of a surface behind the pixel's surface is limited to the pixel's own blur circle.
             bool is_behind = tap.radius_px > own.radius_px;
             float radius = is_behind ? min(abs(tap.radius_px), own_radius) : abs(tap.radius_px);
             float share = disc_share(max(radius, lens_sharp_px), aperture_distance(vec2(aside)));
@@ -116,8 +116,8 @@ Seen gathered(ivec2 pixel, LensTexel own)
     return Seen(sample_here, seen.is_blurred || far > 0.0 || cover > 0.0);
 }
 
-// Colour that shows the radius of the blur circle: blue behind the plane in focus, red in front of it, white
-// in focus.
+// Colour that shows the radius of the blur circle: blue behind the plane in focus, red in front of the plane,
+// white in focus.
 vec3 circle_color(float radius_px)
 {
     float share = clamp(abs(radius_px) / max(constants.most_px, 1e-6), 0.0, 1.0);

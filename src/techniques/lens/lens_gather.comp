@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread handles a block of 2 x 2 pixels. It gathers the near field (surfaces in front of the focus,
-// which blur over the block) and the far field. Behind near surfaces, the far field is filled in from its
-// surroundings.
+// which blur over the block) and the far field. Behind near surfaces, the far field is filled in from the
+// surroundings of the near surfaces.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -92,8 +92,8 @@ LensTexel gather_near(ivec2 at, float own_px, float reach_px)
             seen_near += within * near_share(tap.texel.radius_px);
         }
     }
-    // A near surface that fills the whole blur circle hides everything behind it. The lower limit prevents
-    // gaps from rounding.
+    // A near surface that fills the whole blur circle hides everything behind the surface. The lower limit
+    // prevents gaps from rounding.
     float hidden = min(max(cover, own_near * seen_near / max(seen, 1e-6)), 1.0);
     return LensTexel(scaled(sum, hidden / max(cover, 1e-6)), hidden, 1.0);
 }
@@ -114,8 +114,8 @@ LensTexel gather_far(ivec2 at, LensTexel own, float own_reach_px)
             float away = aperture_distance(tap.offset);
             float radius = disc_texels(min(tap.texel.radius_px, own.radius_px) * place.texels_per_px);
             float blurred = far_share(tap.texel.radius_px) * disc_share(radius, away);
-            // The far field behind near surfaces is unknown. It is filled in from far texels if possible,
-            // otherwise from sharp texels.
+            // The far field behind near surfaces is unknown. The hidden far field is filled in from far
+            // texels if possible, otherwise from sharp texels.
             float far = far_share(tap.texel.radius_px);
             float sharp = hidden_sharp * (1.0 - far - near_share(tap.texel.radius_px));
             float beside = (far + own_near * sharp) / (1.0 + away * away * away * away);

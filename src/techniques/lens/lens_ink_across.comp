@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread searches the row of one pixel for the line that covers the pixel most, after lines are widened
-// by their blur circles.
+// by the blur circles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,7 +11,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D line_image;
 layout(binding = 1) uniform usampler2D page_image;
-// The line that was found: its colour and coverage in one word, its radius and distance in the other.
+// The line that was found: the line's colour and coverage in the first word, the line's radius and distance
+// in the second.
 layout(binding = 2, rg32ui) writeonly uniform uimage2D out_line;
 
 layout(push_constant, scalar) uniform Constants

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread makes one texel of a mip level from four texels of the next finer level. If the four texels show
-// two surfaces, the thread keeps only one surface, and the part of the area that this surface covers. It
-// prefers a surface in front of the focus, otherwise the most blurred surface.
+// two surfaces, the thread keeps only one surface, and the part of the area that the kept surface covers. The
+// thread prefers a surface in front of the focus, otherwise the most blurred surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the search radii of one tile: the largest blur circle in front of the focus that reaches
-// the tile, and the largest circle in the tile and its neighbours.
+// One thread finds two search radii of one tile. The first is the largest blur circle in front of the focus
+// that reaches the tile. The second is the largest blur circle in the tile and in neighbouring tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -38,7 +38,7 @@ void main()
         TileAbout about = tile_about(tile, reach, i, count);
         vec2 largest = texelFetch(tile_image, about.tile, 0).xy;
         // The largest blur circle is also searched in neighbouring tiles, because a pixel may depend on
-        // blurred pixels there.
+        // blurred pixels of neighbouring tiles.
         beside = all(lessThanEqual(about.away, ivec2(1))) ? max(beside, largest.y) : beside;
         int between_px = max(about.between.x, about.between.y) * int(lens_tile_px);
         near = largest.x >= float(between_px) ? max(near, largest.x) : near;

@@ -28,7 +28,7 @@ void main()
     float radius = abs(constants.radius_px - constants.radius_per_depth * depth);
     float wider = 1.0 + constants.widening_per_px * max(min(radius, constants.most_px) - lens_sharp_px, 0.0);
     uvec4 footprint = texelFetch(footprint_image, pixel, 0);
-    // The last word of a footprint is its scale, see shaders/surface_images.glsl.
+    // The last word of a footprint is the footprint's scale, see shaders/surface_images.glsl.
     footprint.w = floatBitsToUint(uintBitsToFloat(footprint.w) * wider);
     imageStore(out_footprint, pixel, footprint);
 }

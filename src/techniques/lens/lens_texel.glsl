@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_LENS_TEXEL
 #define ESTAMPE_LENS_TEXEL
 
-// The packed texel that the lens passes exchange: the layers of a pixel and its blur. The including shader
-// must declare `constants` and `variant`.
+// The packed texel that the lens passes exchange: the layers of a pixel and the pixel's blur. The including
+// shader must declare `constants` and `variant`.
 
 #include "shaders/layer_sample.glsl"
 
@@ -31,8 +31,8 @@ ivec2 padded_px()
     return size - size % int(lens_block_px);
 }
 
-// Position of a mip level in the image that holds all levels: the first level is at the top, all others are
-// side by side below it.
+// Position of a mip level in the image that holds all levels: the first mip level is at the top, all further
+// levels are side by side below the first level.
 ivec2 level_origin(int level)
 {
     ivec2 padded = padded_px();
@@ -45,7 +45,7 @@ ivec2 level_size(int level)
 }
 
 // Share of a surface that belongs to the near field (surfaces in front of the focus, which blur over
-// everything behind them).
+// everything behind the near surfaces).
 float near_share(float radius_px)
 {
     return smoothstep(lens_nearly_px, lens_blurred_px, -radius_px);
@@ -63,8 +63,8 @@ float disc_texels(float radius_texels)
     return sqrt(max(radius_texels * radius_texels - 0.67, 0.25));
 }
 
-// Distance of a sampled texel from the centre of the blur. It is scaled so that a polygonal aperture can be
-// treated as a disc.
+// Distance of a sampled texel from the centre of the blur. The distance is scaled so that a polygonal
+// aperture can be treated as a disc.
 float aperture_distance(vec2 offset)
 {
     float away = sqrt(dot(offset, offset));

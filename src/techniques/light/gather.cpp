@@ -73,14 +73,14 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
 }
 
 /// Share of a local light that arrives at a distance. For inverse-square lights, the window that fades the
-/// light to 0 at its range is left out.
+/// light to 0 at the light's range is left out.
 float weakened(const shared::LightRecord& record, float distance_2)
 {
     return is_unit_volume(record) ? estampe::weakened(LightFalloff::unit_volume, record.range_m, distance_2)
                                   : estampe::weakened(LightFalloff::inverse_square, 0.0F, distance_2);
 }
 
-/// Share of a local light that leaves along the unit vector `along`, because of its cone or pyramid.
+/// Share of a local light that leaves along the unit vector `along`, because of the light's cone or pyramid.
 float share_along(const shared::LightRecord& record, const glm::vec3& along)
 {
     const uint32_t type = record.type & shared::light_type_mask;
@@ -138,7 +138,7 @@ float remembered_exposure_key(const std::vector<shared::LightRecord>& records, c
                               const ScenePose& pose, const glm::dvec3& anchor, ExposureKeyCache& memory)
 {
     const auto is_same = [](const shared::LightRecord& a, const shared::LightRecord& b) {
-        // Numbers that are equal but have different bits, such as 0 and -0, only cause an unnecessary
+        // Numbers that are equal but have different bits, such as 0 and -0, cause only an unnecessary
         // computation.
         return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
     };
@@ -233,14 +233,14 @@ float falling_on(const std::vector<shared::LightRecord>& records, const SurfaceP
     return sum;
 }
 
-/// Default lights of an interior: a lamp, and daylight if there is an opening, exposed for the visible
-/// surfaces.
+/// Default lights of an interior: a lamp, and daylight if there is an opening, with an exposure for the
+/// visible surfaces.
 std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::dvec3& anchor,
                                             const LightStyle& style)
 {
     constexpr float daylight = 0.8F;
     // Wanted light on the surfaces that the exposure is measured on, without ambient light. A lone lamp
-    // leaves these surfaces at a half tone, for depth.
+    // leaves the visible surfaces at a half tone, for depth.
     const float white = shelter.towards_light ? 0.62F : 0.5F;
     const glm::vec3 offset(shelter.origin - anchor);
     float size_2 = 0.0F;
@@ -300,7 +300,7 @@ uint32_t put_suns_first(std::vector<shared::LightRecord>& records)
         };
         return rank(a) < rank(b);
     };
-    // Avoids stable_sort() where possible, because it allocates memory.
+    // Avoids stable_sort() where possible, because stable_sort() allocates memory.
     if (!std::ranges::is_sorted(records, is_before)) {
         std::ranges::stable_sort(records, is_before);
     }

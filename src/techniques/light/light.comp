@@ -46,7 +46,7 @@ layout(scalar, binding = 9) uniform Sun
     SunShadow sun_shadow;
 };
 
-// Surface coordinates of strokes, read only for shadow edges with teeth.
+// Surface coordinates of strokes, read only for shadow edges with teeth (short strokes at the shadow's edge).
 layout(binding = 10) uniform sampler2D coordinate_image;
 layout(binding = 11) uniform usampler2D footprint_image;
 
@@ -60,23 +60,23 @@ layout(scalar, binding = 13) readonly buffer Lists
     uint lists[]; // lists of local lights per large tile, from light_tiles.comp
 };
 
-// Irradiance / pi in rgb; its luminance in alpha.
+// Irradiance divided by pi in rgb; the luminance of rgb in alpha.
 layout(binding = 14, rgba16f) writeonly uniform image2D out_light;
 // Direction towards the strongest local light, see LitPixels.
 layout(binding = 15, r32ui) writeonly uniform uimage2D out_strongest;
 
 layout(binding = 16) uniform usamplerBuffer local_shadow_texels;
 layout(binding = 17) uniform samplerBuffer local_maps;
-// Baked irradiance / pi; in alpha, the share of ambient light that the lightmap replaces.
+// Baked irradiance divided by pi; in alpha, the share of ambient light that the lightmap replaces.
 layout(binding = 18) uniform sampler2D lightmap_image;
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // visible share of the sun, see LitPixels
 // Share of sunlight that terrain, smoke and clouds let through.
 layout(binding = 20) uniform sampler2D sun_share_image;
 layout(binding = 21) uniform sampler2D occlusion_image; // share of ambient light that occlusion lets through
 
-// Light that occluders reflect to this pixel, as a share of ambient light.
+// Light that occluders reflect to the pixel, as a share of ambient light.
 layout(binding = 22) uniform sampler2D bounced_image;
-// Positions of points to light, used instead of visible surfaces.
+// Positions of points to light; if given, visible surfaces are not lit.
 layout(binding = 23) uniform sampler2D points_image;
 
 #define TILE_LIST_BINDING 24
@@ -119,7 +119,7 @@ const float least_sun_cosine = 0.05; // cosine of incidence below which sun shad
 
 // The strongest light of the current pixel, for `out_strongest`.
 float strongest = 0.0;
-// Direction towards the strongest light if it is local; zero if it is directional.
+// Direction towards the strongest light if that light is local; zero if the strongest light is directional.
 vec3 towards_strongest = vec3(0.0);
 
 void weigh(vec3 arriving, vec3 towards_local)
@@ -161,7 +161,7 @@ shared uint tile_nearest; // smallest distance of a visible point along the tile
 shared uint tile_farthest;
 shared uint tile_slices;
 
-// Maps floats of either sign to integers that compare in the same order.
+// Maps floats of either sign to integers that compare in the order of the floats.
 uint ordered(float x)
 {
     uint bits = floatBitsToUint(x);
@@ -173,12 +173,12 @@ float from_ordered(uint bits)
     return uintBitsToFloat((bits >> 31) != 0u ? bits & 0x7fffffffu : ~bits);
 }
 
-// The visible part of a tile of pixels, for light culling: a cone about the middle ray, or a cylinder in
-// parallel projection, between the nearest and farthest visible point.
+// The visible part of a tile of pixels, for light culling: a cone about the middle ray, or in parallel
+// projection a cylinder. The nearest and the farthest visible point limit the cone or cylinder.
 struct Tile {
     vec3 origin;
     vec3 axis;
-    float radius_m; // radius of the cone or cylinder at its origin
+    float radius_m; // radius of the cone or cylinder at the tile's origin
     float widening; // growth of the cone's radius per metre along the axis
     float nearest_m;
     float farthest_m;
@@ -260,23 +260,23 @@ vec3 local_light(LightRecord light, vec3 point, vec3 normal)
     return light.color * (attenuation * pow(max(dot(normal, direction), 1e-6), lighting.falloff));
 }
 
-// Index of a local light, from its position in the light list of this part of the page.
+// Index of a local light, from the light's position in the light list of a part of the page.
 uint listed_light(uint first, uint place)
 {
     return lighting.directional_count + (has_lists ? lists[first + place] : place);
 }
 
-// A surface point that is lit, and its light links (the groups of lights that light it).
+// A surface point that is lit, and the point's light links (the groups of lights that light the point).
 struct Receiver {
     vec3 point;
     vec3 normal;
     vec3 smooth_normal;
-    uint groups; // bits of the light groups that light this point
+    uint groups; // bits of the light groups that light the point
     bool takes_shadow;
     Edge edge;
 };
 
-// Light that arrives at a point from a local light, with its shadow.
+// Light that arrives at a point from a local light, with the light's shadow.
 vec3 shadowed_light(LightRecord light, Receiver at)
 {
     vec3 arriving = local_light(light, at.point, at.normal);
@@ -296,9 +296,9 @@ void step_over_none(inout uint word, inout uint bits)
     }
 }
 
-// Sum of the local lights that reach a point. CPU implementations of Vulkan execute a loop body once even for
-// zero rounds, and once more at the end of other loops. So each costly part is inside a condition at the
-// loop's end.
+// Sum of the local lights that reach a point. CPU implementations of Vulkan execute a loop body one time too
+// many: once even for zero rounds, and once after the last round of a longer loop. So each costly part is
+// inside a condition at the loop's end.
 vec3 local_lights(uvec2 from_px, Tile tile, Receiver at)
 {
     uvec2 part = from_px / list_tiles.tile_px;
@@ -363,7 +363,8 @@ void main()
     vec3 normal = unpack_normal(normals.x);
     vec3 smooth_normal = unpack_normal(normals.y);
 
-    // Bits of the light groups that light this draw call: all, unless the scene links lights to objects.
+    // Bits of the light groups that light the pixel's draw call: all, unless the scene links lights to
+    // objects.
     uint groups = 0xffffu;
     bool takes_shadow = true;
     if (has_links && sees_draw(word)) {
@@ -385,7 +386,7 @@ void main()
         light *= open;
     }
     if (has_lightmap) {
-        // The lightmap contains the bounced light, so it replaces the ambient light.
+        // The lightmap contains the bounced light, so the lightmap replaces the ambient light.
         vec4 known = texelFetch(lightmap_image, min(pixel, ivec2(frame.size_px) - 1), 0);
         light = mix(light, known.rgb, known.a);
     }
@@ -408,7 +409,8 @@ void main()
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
         float visible = i == 0u ? sun_visible : 1.0;
         if (i == 0u && is_paper(word)) {
-            // Blank ground is drawn as paper: the ground has no shading, and its shadow fades with distance.
+            // Blank ground is drawn as paper: the ground has no shading, and the shadow on the ground fades
+            // with distance.
             lambert = lambert > 0.0 ? 1.0 : 0.0;
             visible =
                 mix(visible, 1.0, clamp(dot(lighting.paling, point) + lighting.paling_at_anchor, 0.0, 1.0));

@@ -146,7 +146,7 @@ namespace {
 
 // Smallest number of local lights for which tiles get light lists; with fewer, every tile tests all lights.
 constexpr uint32_t list_from = 64;
-// Most bytes of all light lists; tiles grow to keep within this size.
+// Most bytes of all light lists; tiles are enlarged until the lists fit into most_list_bytes.
 constexpr uint64_t most_list_bytes = 32ULL << 20;
 
 /// The light lists of large tiles of the page.

@@ -15,9 +15,11 @@ SHARED_CONSTANT uint light_point = 1U;
 SHARED_CONSTANT uint light_spot = 2U;
 SHARED_CONSTANT uint light_pyramid = 3U;
 SHARED_CONSTANT uint light_type_mask = 255U;
-SHARED_CONSTANT uint light_unit_volume = 1U << 8U; // flag: the local light falls off with 1 - (d / range)^2
+// Flag: the local light falls off with 1 - (distance / range)^2.
+SHARED_CONSTANT uint light_unit_volume = 1U << 8U;
 
-// A light in anchor space, with the exposure multiplied in. `position` is unused for directional lights.
+// A light in anchor space (scene coordinates relative to a point near the camera), with the exposure
+// multiplied in. `position` is unused for directional lights.
 struct LightRecord {
     vec3 position;
     float range_m;  // distance beyond which the light has no effect
@@ -28,9 +30,11 @@ struct LightRecord {
     float cone_offset;
     vec3 side;   // for pyramid-shaped spots: the x axis of the light's node
     uint shadow; // index of the light's first LocalShadow, plus 1; 0: no shadow map
-    uint groups; // bits 0-15: object groups that it lights; bits 16-31: object groups that cast its shadows
+    // Bits 0-15: object groups that the light lights; bits 16-31: groups that cast the light's shadows.
+    uint groups;
     float radius_m; // radius of the glowing ball, for penumbrae; negative: the style's radius
-    uint is_fill;   // 1: the light stands for reflected light, so occlusion darkens it like ambient light
+    // 1: the light stands for reflected light, so occlusion darkens the light like ambient light.
+    uint is_fill;
 };
 
 struct LightGlobals {

@@ -83,7 +83,8 @@ struct ToneStyle {
 
 [[nodiscard]] const style::Table<ToneStyle>& tone_table();
 
-/// The lights of a frame. Directional lights come first; the strongest of them, the sun, casts the shadow.
+/// The lights of a frame. Directional lights come first; the strongest directional light, the sun, casts the
+/// shadow.
 struct Lighting {
     std::vector<shared::LightRecord> records;
     uint32_t directional_count = 0;
@@ -96,8 +97,8 @@ struct Lighting {
     bool indoors = false;            ///< the only light is the default lighting of an interior
 };
 
-/// The brightness on which the exposure is based, and the scene it was computed from, kept from frame to
-/// frame.
+/// The brightness on which the exposure is based, and the scene from which the brightness was computed, kept
+/// from frame to frame.
 struct ExposureKeyCache {
     std::vector<shared::LightRecord> records;
     ScenePose pose;
@@ -106,18 +107,19 @@ struct ExposureKeyCache {
     std::vector<shared::LightRecord> room; ///< spare memory for the records of the next Lighting
 };
 
-/// Places the scene's lights in anchor space. A scene without lights gets the style's sun, which turns with
-/// the front of the `analysis`; an interior gets a lamp, and daylight through an opening. Intensities (lux,
-/// candela) are scaled so that the scene's well-lit parts reach about one in any unit. A light without a
-/// range ends where it falls below 1/400 of that. Cost: linear in lights times visible nodes, unless the
-/// exposure is manual or `memory` holds the unchanged scene.
+/// Places the scene's lights in anchor space (scene coordinates relative to a point near the camera). A scene
+/// without lights gets the style's sun, which turns with the front of the `analysis`; an interior gets a
+/// lamp, and daylight through an opening. Intensities (lux, candela) are scaled so that the scene's well-lit
+/// parts reach about one in any unit. A light without a range ends where the light falls below 1/400 of the
+/// well-lit parts' light. Cost: linear in lights times visible nodes, unless the exposure is manual or
+/// `memory` holds the unchanged scene.
 [[nodiscard]] Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
                                      const glm::dvec3& anchor, const LightStyle& style,
                                      const ViewAnalysis& analysis = {}, ExposureKeyCache* memory = nullptr);
 
 /// Lightening of the sun's shadow on blank ground, as a share of sunlight. The lightening grows linearly from
-/// 0 below the middle of the scene to `most` at the end of the shadow of the scene's bounds, so that the
-/// shadow is darkest at the foot of its object, as in drawings.
+/// 0 below the middle of the scene to `most` at the end of the shadow of the scene's bounds. So the shadow is
+/// darkest at the foot of the object, as in drawings.
 struct Paling {
     glm::vec3 share_per_m{0.0F};
     float share_at_anchor = 0.0F;
@@ -138,7 +140,7 @@ struct SkyAndGround {
 /// Converts the style's tone curve to shader constants.
 [[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);
 
-/// The shadow maps of all lights, and the data to look them up.
+/// The shadow maps of all lights, and the data for looking up the maps.
 struct ShadowMaps {
     gpu::BufferId sun;           ///< the sun's shadow map: reversed depth, row by row
     gpu::BufferId sun_globals;   ///< SunShadow record, see shadow/shadow.glsl.h
@@ -168,29 +170,31 @@ struct LightInputs {
     std::optional<gpu::ImageId> occlusion; ///< ambient visibility per pixel, from a technique of occlusion
     bool occludes_all = false;             ///< occlusion darkens all light, not only ambient light
     std::optional<gpu::ImageId> bounced;   ///< light that occluders reflect, as a share of ambient light
-    /// Positions in anchor space of points to light, instead of those from depth.
+    /// Positions of points to light, in anchor space (scene coordinates relative to a point near the camera).
+    /// If set, positions are not computed from depth.
     std::optional<gpu::ImageId> points;
     std::optional<gpu::BufferId> tiles; ///< list of the tiles to light, see shaders/tiles.glsl.h; empty: all
     uint32_t local_count = 0; ///< number of point and spot lights, which follow the directional lights
     bool has_emissive = false;
     bool keeps_strongest = false; ///< also outputs the direction of the strongest light
     bool keeps_sun = false;       ///< also outputs the visible share of the first directional light
-    bool counts_visits = false; ///< for tests: writes numbers of local lights instead of light: how many are
-                                ///< tested, and how many are in range
-    bool looks_at_all = false;  ///< tests every light at every pixel, as a reference
-    bool has_links = false;     ///< a light lights only the draw calls that share a group with it
+    bool counts_visits = false;   ///< for tests: writes numbers of local lights, not light: how many are
+                                  ///< tested, and how many are in range
+    bool looks_at_all = false;    ///< tests every light at every pixel, as a reference
+    bool has_links = false;       ///< a light lights only the draw calls that share a group with the light
     glm::uvec2 size_px{0};
 };
 
 struct LitPixels {
-    /// rgba16f: irradiance over pi, at most 65504, and its luminance in alpha; 1 for unlit materials and the
-    /// background.
+    /// rgba16f: irradiance divided by pi, at most 65504, and in alpha the luminance of that value; 1 for
+    /// unlit materials and the background.
     gpu::ImageId light;
-    /// r32ui: octahedral direction towards the strongest light if it is local, else 0; an image of one texel
-    /// unless `keeps_strongest`.
+    /// r32ui: octahedral direction towards the strongest light if that light is local, else 0; an image of
+    /// one texel unless `keeps_strongest`.
     gpu::ImageId strongest;
-    /// r32f: share of the first directional light that is not in shadow; negative where there is no such
-    /// light, or where it only grazes the surface; an image of one texel unless `keeps_sun`.
+    /// r32f: share of the first directional light that is not in shadow; negative where there is no
+    /// directional light, or where the light only grazes the surface; an image of one texel unless
+    /// `keeps_sun`.
     gpu::ImageId sun;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup lists the lights whose sphere touches one large tile of the page, in the lights' order. It
-// ignores depth; the light pass culls again per small tile.
+// One workgroup lists the lights whose sphere touches one large tile of the page, in the lights' order. The
+// workgroup ignores depth; the light pass culls again per small tile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -38,8 +38,8 @@ layout(push_constant, scalar) uniform Constants
 
 shared uint touching[2]; // one bit for each of 64 lights that are tested; set if the light reaches the tile
 
-// The plane through three points, as normal n in xyz and offset d in w; the point `inside` is on the side
-// where dot(n, p) >= d.
+// The plane through three points, as the normal n in xyz and the offset d in w. The point `inside` is on the
+// side of the plane with the points p for which dot(n, p) >= d.
 vec4 side_through(vec3 a, vec3 b, vec3 c, vec3 inside)
 {
     vec3 n = normalize(cross(b - a, c - a));

@@ -36,7 +36,8 @@ vec4 reach_of(LightRecord light)
     float r = light.range_m;
     float cosine = -light.cone_offset / max(light.cone_scale, 1e-6);
     if (type == light_pyramid) {
-        // The corners of a spot's pyramid lie farther out than its sides, so the bounding cone is wider.
+        // The corners of a spot's pyramid lie farther out than the pyramid's sides, so the bounding cone is
+        // wider.
         cosine = cosine > 0.0 ? inversesqrt(max(2.0 / (cosine * cosine) - 1.0, 1.0)) : 0.0;
     }
     if (type < light_spot || cosine <= 0.0) {

@@ -22,7 +22,7 @@ struct LightmapStyle {
 
 [[nodiscard]] const style::Table<LightmapStyle>& lightmap_table();
 
-/// The lightmaps of a scene, and the UV coordinates of its triangles.
+/// The lightmaps of a scene, and the UV coordinates of the scene's triangles.
 struct MapData {
     std::vector<LightImage> layers;          ///< the lightmaps, images of any size
     std::vector<shared::LightmapSlot> slots; ///< the lightmap of each draw (mesh primitive)
@@ -36,9 +36,9 @@ struct MapBuffers {
     gpu::Image maps; ///< image array in format rgba16f, one layer per lightmap
 };
 
-/// Uploads lightmaps. All lightmaps are resized to the size of the largest lightmap, and have only one mip
-/// level: in coarser levels, neighbouring charts of a lightmap would mix. Throws Error if the lightmaps
-/// exceed the device's limits. Cost: about 30 ns per texel.
+/// Uploads lightmaps. All lightmaps are resized to the size of the largest lightmap. They have only one mip
+/// level, because in coarser mip levels, neighbouring charts of a lightmap would mix. Throws Error if the
+/// lightmaps exceed the device's limits. Cost: about 30 ns per texel.
 [[nodiscard]] MapBuffers upload_maps(gpu::Device& device, const MapData& data);
 
 struct LightmapInputs {

@@ -22,8 +22,8 @@ vec3 grid_place(ivec2 at, ivec2 size)
     return place_at(uint(there.y * size.x + there.x));
 }
 
-// Force of the air on a particle: the sum of its shares of the forces on the faces around it. Air passes
-// through torn faces.
+// Force of the air on a particle: the sum of the particle's shares of the forces on the faces around the
+// particle. Air passes through torn faces.
 vec3 air_force(uint local, vec3 place, vec3 relative)
 {
     vec3 force = vec3(0.0);

@@ -38,8 +38,8 @@ vec4 noise_and_slope(vec3 place, uint seed)
                 du.z * mix(rise_row.x, rise_row.y, u.y), mix(row.x, row.y, u.y));
 }
 
-// Wind velocity at a place and time. The wind moves its gusts and eddies along; eddies also change their
-// shape slowly.
+// Wind velocity at a place and time. The wind moves its gusts and eddies along; eddies also change shape
+// slowly.
 vec3 open_wind_at(vec3 place, float time_s)
 {
     vec3 wind = run.wind_m_per_s;

@@ -146,8 +146,8 @@ void main()
     float inertia_n_m = 1.0 / (from.w * small_step_s() * small_step_s());
     force = inertia_n_m * (free - own.xyz);
     hessian = mat3(inertia_n_m);
-    // A stiffness above this limit is too large to add to the particle's inertia in a float: the inertia
-    // would be lost.
+    // Upper limit of a stiffness. In a float sum with a larger stiffness, the particle's inertia would be
+    // lost.
     float most_n_m = 1e4 * inertia_n_m;
     if ((variant & cloth_bit_grid) != 0u) {
         add_links_of_grid(local, own.xyz, most_n_m);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A cloth sheet in its rest shape, and the structure that is computed from it: for each particle, lists of
-// the neighbours that act on it.
+// A cloth sheet in its rest shape, and the structure that is computed from the rest shape: lists of the
+// neighbours that act on each particle.
 
 #include <cstdint>
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace estampe::cloth {
 
-/// A link without triangles: two particles that keep their rest distance.
+/// A link without triangles: two particles that keep the distance of the rest shape.
 struct Thread {
     uint32_t from = 0;
     uint32_t to = 0;
@@ -40,8 +40,8 @@ struct Sheet {
 [[nodiscard]] Sheet grid_sheet(glm::uvec2 particles, glm::vec3 corner_m, glm::vec3 along_m,
                                glm::vec3 across_m, const Cloth& cloth = {});
 
-/// Whether every particle is connected to a held particle by triangles or threads that never tear. If so, no
-/// particle can be farther from the held particle than their distance along the sheet.
+/// Whether every particle is connected to a held particle by triangles or threads that never tear. In a sheet
+/// that hangs, no particle gets farther from its held particle than their distance along the sheet.
 [[nodiscard]] bool hangs(const Sheet& sheet);
 
 /// A regular grid of particles with right angles.
@@ -52,12 +52,12 @@ struct GridForm {
     float winding = 1.0F; ///< 1 if, seen from the front, columns turn to rows counter-clockwise, else -1
 };
 
-/// Finds the regular grid that a sheet's particles form row by row, within a thousandth of its spacing. Empty
-/// if they form none.
+/// Finds the regular grid that a sheet's particles form row by row, within a thousandth of the grid's
+/// spacing. Returns nothing if the particles form no regular grid.
 [[nodiscard]] std::optional<GridForm> grid_form(const Sheet& sheet);
 
-/// Lists with up to `width` items per particle. The k-th item of particle i is items[k * particles + i].
-/// Missing items are zero.
+/// Lists with up to `width` items per particle. Item number k of particle number i is items[k * particles +
+/// i]. Missing items are zero.
 template <class Item>
 struct Lists {
     uint32_t width = 0;
@@ -87,13 +87,14 @@ struct Structure {
 
 /// Builds links between neighbouring particles and between particles two edges apart, up to 24 per particle
 /// on a grid. A sheet that may tear gets no tethers, because tethers would hold torn parts together. Throws
-/// Error for indices out of range, a particle with more than 64 edges, numbers that are not finite, a sheet
-/// without mass, and a sheet that tears below its rest length or has more than 64 links at a particle. Cost:
-/// n log n in particles for each group of held particles.
+/// Error for indices out of range, numbers that are not finite, a sheet without mass, and a particle with
+/// more than 64 edges. Throws Error too for a sheet that tears below its rest length, or that may tear and
+/// has more than 64 links at a particle. Cost: n log n in the number n of particles for each group of held
+/// particles.
 [[nodiscard]] Structure build_structure(const Sheet& sheet);
 
 /// Finds the bit of the link to a neighbour in a particle's word of torn links, in a sheet that may tear.
-/// Throws std::logic_error if no such link exists.
+/// Throws std::logic_error if the two particles have no link.
 [[nodiscard]] uint32_t link_bit(const Structure& structure, uint32_t from, uint32_t to);
 
 } // namespace estampe::cloth

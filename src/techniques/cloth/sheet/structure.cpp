@@ -119,7 +119,8 @@ Lists<Tether> build_tethers(const Sheet& sheet, const std::optional<GridForm>& g
 // for Inextensible Surfaces", SGP 2006.
 
 constexpr size_t most_edges = 64; // largest number of edges at a particle
-// A tether is slightly longer than the sheet between its ends, so that tethers do not work against links.
+// A tether is slightly longer than the sheet between the tether's two ends, so that tethers do not work
+// against links.
 constexpr float tether_slack = 1.003F;
 constexpr float mean_of_fourth = 0.375F; // mean of cos^4 over all directions in the plane
 
@@ -235,7 +236,7 @@ void add_hinge(Pairs& pairs, const Sheet& sheet, const std::array<uint32_t, 4>& 
 
 void add_edges(Pairs& pairs, const Sheet& sheet)
 {
-    // For each edge: the opposite corners of its two triangles.
+    // For each edge: the corners, opposite to the edge, of the edge's two triangles.
     std::map<std::pair<uint32_t, uint32_t>, std::array<uint32_t, 2>> beside;
     const auto join = [&](uint32_t a, uint32_t b) {
         pairs.try_emplace(ordered(a, b), Pair{.rest_m = glm::distance(sheet.rest_m[a], sheet.rest_m[b])});
@@ -324,7 +325,7 @@ Lists<Item> as_lists(const std::vector<std::vector<Item>>& of_particles,
 }
 
 /// Compliance of one link, chosen so that all `link_count` links about a particle with the area `area_m2`
-/// give the cloth's stretch.
+/// together give the cloth's stretch.
 float softness_of(const Cloth& cloth, float area_m2, uint32_t link_count)
 {
     return mean_of_fourth * static_cast<float>(link_count) / (2.0F * area_m2 * cloth.stretch_n_m);

@@ -4,8 +4,8 @@
 
 // Collision of particles with solids.
 //
-// Requires: vec4 met_ball(), a ball that a particle will hardly leave in this step, and uint met_solids(uint
-// word), one bit for each of 32 solids that come near this ball during the step.
+// Requires: vec4 met_ball(), a ball that a particle will hardly leave in the current step, and uint
+// met_solids(uint word), one bit for each of 32 solids that come near the ball during the step.
 
 #include "techniques/cloth/cloth_data.glsl"
 #include "techniques/cloth/solids/cloth_met.glsl"
@@ -98,9 +98,9 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     return is_stopped ? centre_m + turned(rotation, own_end) : to;
 }
 
-// Moves a particle with collision against all solids, one after another. While the particle is inside its
-// bounding ball, solids that do not come near the ball are skipped. Once the particle leaves the ball, no
-// solid is skipped.
+// Moves a particle with collision against all solids, one after another. While the particle is inside the
+// ball that it will hardly leave, solids away from the ball are skipped. Once the particle leaves the ball,
+// no solid is skipped.
 vec3 beside_colliders(vec3 from, vec3 to, float begin, float end)
 {
     vec4 ball = met_ball();

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_CLOTH_HEIGHTS
 #define ESTAMPE_CLOTH_HEIGHTS
 
-// A solid of cloth_solids.glsl: all space below heights on a grid in x and z. Unit tests compile this file as
-// C++.
+// A solid of cloth_solids.glsl: all space below heights on a grid in x and z. Unit tests compile
+// cloth_heights.glsl as C++.
 //
 // Requires: float grid_number(int at), and constants of cloth.glsl.h.
 
@@ -19,7 +19,7 @@ vec3 in_cells(vec3 place, vec3 half_m, ivec3 nodes)
 }
 
 // The grid cell that contains a place in x and z. A place on the border of two cells belongs to the cell that
-// starts there.
+// starts at the border.
 ivec2 cell_below(vec3 place, vec3 half_m, ivec3 nodes)
 {
     vec3 at = in_cells(place, half_m, nodes);
@@ -58,8 +58,8 @@ vec4 heights_at(int first, vec3 half_m, vec3 place)
 
 // Whether the ground is so far below a ball that no movement inside the ball reaches it. True if heights_at()
 // is more than the longest movement plus `near_m` everywhere in the ball. heights_at() depends on the cell
-// below the place, and no part of a cell is higher than its corners or steeper than its sides. So all cells
-// below the ball are tested, if they are few.
+// below the place. No part of a cell is higher than the cell's corners or steeper than the cell's sides. So
+// all cells below the ball are tested, if the cells are few.
 bool are_far_below(int first, vec3 half_m, vec4 ball, float near_m)
 {
     const int most_cells = 8; // largest number of tested cells along each axis

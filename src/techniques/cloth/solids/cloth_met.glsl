@@ -30,9 +30,9 @@ float least_away_m(uint kind, vec3 half_m, vec3 place)
     return solid_at(kind, half_m, place).w;
 }
 
-// Whether a solid comes near a ball at any time of a step. Moving solids, distance grids and bodies are
-// bounded by a sphere about their centre; for other solids the distance is computed. Height grids do not
-// move.
+// Whether a solid comes near a ball at any time of a step. A moving solid, a distance grid or a body is
+// bounded by a sphere about the solid's centre; for height grids, and for simple solids that stand still, the
+// distance is computed. Height grids do not move.
 bool comes_near(uint i, vec4 ball, uint step)
 {
     int before = 3 * int(i);

@@ -29,7 +29,7 @@ layout(push_constant, scalar) uniform Constants
     ClothBody body;
 };
 
-// Maps floats to integers above 0 that compare in the same order as the floats.
+// Maps floats to integers above 0 that compare in the order of the floats.
 uint ordered(float number)
 {
     uint bits = floatBitsToUint(number);
@@ -70,7 +70,8 @@ void main()
             vec3 shares =
                 vec3(twice_area(b.xy, c.xy, at), twice_area(c.xy, a.xy, at), twice_area(a.xy, b.xy, at)) /
                 area;
-            // Widens triangles by a rounding error, so that no node between two of them is missed.
+            // Widens triangles by a rounding error, so that no node between two neighbouring triangles is
+            // missed.
             const float rounding = 1e-5;
             if (min(shares.x, min(shares.y, shares.z)) >= -rounding) {
                 float z_m = dot(shares, vec3(a.z, b.z, c.z));

@@ -70,8 +70,8 @@ Seen seen_then(bool is_after, vec2 half_m, vec2 place)
                 value_and_slope(numbers[2], f, texel_m), min(texel_m.x, texel_m.y), count > 0.0);
 }
 
-// Interpolated surface at the beginning and the end of the run of steps. If one of the two has no middle, it
-// gets the middle of the other.
+// Interpolated surface at the beginning and the end of the run of steps. If a body's middle is unknown at one
+// of the two times, the middle at the other time is used for both.
 Seen[2] seen_twice(vec2 half_m, vec2 place)
 {
     Seen before = seen_then(false, body_half_before_m.xy, place);
@@ -84,7 +84,7 @@ Seen[2] seen_twice(vec2 half_m, vec2 place)
 vec4 seen_at(vec3 half_m, vec3 place)
 {
     Seen seen[2] = seen_twice(half_m.xy, place.xy);
-    float most_m = 2.0 * seen[1].texel_m; // distances beyond this are unknown
+    float most_m = 2.0 * seen[1].texel_m; // distances from the outline beyond this limit are unknown
     if (!seen[0].is_near && !seen[1].is_near) {
         return vec4(0.0, 1.0, 0.0, most_m);
     }

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_SOLIDS
 #define ESTAMPE_CLOTH_SOLIDS
 
-// Solids in their own coordinates. Each function returns the unit direction to the outside in xyz, and the
-// signed distance to the surface in w, negative inside. For ellipsoids, grids and bodies the distance is only
-// exact on the surface.
+// Solids in the solids' own coordinates. Each function returns the unit direction to the outside in xyz, and
+// the signed distance to the surface in w, negative inside. For ellipsoids, grids and bodies the distance is
+// only exact on the surface.
 
 // Solids given as distances on a grid.
 
@@ -85,8 +85,8 @@ vec4 cylinder_at(float radius_m, float half_height_m, vec3 place)
 {
     float off_axis_m = sqrt(place.x * place.x + place.z * place.z);
     vec3 outward = off_axis_m > 1e-9 ? vec3(place.x, 0.0, place.z) / off_axis_m : vec3(1.0, 0.0, 0.0);
-    // A cylinder is a box in the plane of distance from the axis and height, so the box's third side is made
-    // irrelevant.
+    // A cylinder is a box in the plane of distance from the axis and height, so the third dimension of the
+    // box is made irrelevant.
     vec4 flat_box = box_at(vec3(radius_m, half_height_m, 1e9), vec3(off_axis_m, place.y, 0.0));
     return vec4(flat_box.x * outward + vec3(0.0, flat_box.y, 0.0), flat_box.w);
 }

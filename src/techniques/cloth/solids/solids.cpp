@@ -44,7 +44,7 @@ double squared_distance(const glm::dvec3& p, const Triangle& t)
     return std::min({to_segment(t[0], t[1]), to_segment(t[1], t[2]), to_segment(t[2], t[0])});
 }
 
-/// A grid of signed distances while it is computed. Positions are in cells from the first node.
+/// A grid of signed distances during its computation. Positions are in cells from the first node.
 class Making {
 public:
     Making(const glm::uvec3& nodes, std::vector<Triangle>&& triangles)
@@ -53,8 +53,8 @@ public:
     {
     }
 
-    /// Computes exact distances at nodes next to triangles first. Every other node tests the nearest
-    /// triangles of its neighbours.
+    /// Computes exact distances at nodes next to triangles first. Every node farther away tests only the
+    /// triangles that are nearest to the neighbouring nodes.
     void find_distances()
     {
         for (uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -168,7 +168,7 @@ private:
     {
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
-        // A small offset, so that no line passes exactly through a corner or along a side.
+        // A small offset of lines, so that no line passes exactly through a corner or along a side.
         constexpr glm::dvec2 aside(1.237e-5, 2.911e-5);
         std::array<glm::dvec2, 3> flat{};
         for (size_t i = 0; i < 3; ++i) {
@@ -301,8 +301,8 @@ bool keeps_sides(SolidKind kind)
     return kind == SolidKind::box || kind == SolidKind::distances || kind == SolidKind::seen;
 }
 
-/// Axes of the ellipsoid that a matrix M makes of a sphere, which are the eigenvectors of M M^T, by Jacobi
-/// rotations.
+/// Axes of the ellipsoid that a matrix M makes of a sphere: the eigenvectors of M times its transpose, found
+/// by Jacobi rotations.
 struct Axes {
     glm::dmat3 directions{1.0};
     glm::dvec3 lengths{1.0};

@@ -30,10 +30,10 @@ struct SolidGrid {
                                         const std::function<double(double x_m, double z_m)>& height_m);
 
 /// Computes the signed distance from the nodes of a grid to the nearest triangle, with three indices per
-/// triangle. Rays along the three axes find the inside by a majority of two, so small holes do no harm. The
-/// longest side has `cells` cells around the triangles, and two more at each end. Empty if no triangle has a
-/// position. Cost: the cells around each triangle, and eight sweeps over all nodes. Source: Bridson, "Fluid
-/// Simulation for Computer Graphics", 2008, on making level sets of meshes.
+/// triangle. A node is inside if at least two of three rays, one per axis, say so; therefore small holes do
+/// no harm. The longest side has `cells` cells around the triangles, and two more at each end. The result is
+/// empty if no triangle has a position. Cost: the cells around each triangle, and eight sweeps over all
+/// nodes. Source: Bridson, "Fluid Simulation for Computer Graphics", 2008, on making level sets of meshes.
 [[nodiscard]] SolidGrid grid_of_distances(std::span<const glm::vec3> positions_m,
                                           std::span<const glm::uvec3> triangles, uint32_t cells);
 
@@ -46,7 +46,7 @@ struct Solid {
                             ///< radius and half the axis' length (without a capsule's ends)
     glm::vec3 centre_m{0.0F};
     glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
-    uint32_t grid = 0; ///< number of the solid's grid in set_grids(), or of its body in set_bodies()
+    uint32_t grid = 0; ///< number of the solid's grid in set_grids(), or of the solid's body in set_bodies()
 };
 
 /// Makes the solid of all space below a plane.
@@ -54,15 +54,15 @@ struct Solid {
 [[nodiscard]] Solid ball(glm::vec3 centre_m, float radius_m);
 [[nodiscard]] Solid capsule_between(glm::vec3 from_m, glm::vec3 to_m, float radius_m);
 
-/// Transforms a solid by a matrix. An ellipsoid stays an exact ellipsoid. For other solids shear is ignored,
-/// and cylinders and capsules stay round. Half sizes are at least 1e-4 m.
+/// Transforms a solid by a matrix. An ellipsoid stays an exact ellipsoid. For all solids except ellipsoids
+/// shear is ignored, and cylinders and capsules stay round. Half sizes are at least 1e-4 m.
 [[nodiscard]] Solid placed(const Solid& solid, const glm::dmat4& place);
 
-/// Makes the solid of a grid, placed at the grid's middle. Heights are relative to this middle.
+/// Makes the solid of a grid, placed at the grid's middle. Heights are relative to the grid's middle.
 [[nodiscard]] Solid solid_of_grid(SolidKind kind, const SolidGrid& grid, uint32_t number);
 
 /// Prepares a solid's previous rotation for interpolation to the current one by the shorter way. Two
-/// quaternions represent each rotation, and a capsule may turn freely about its axis.
+/// quaternions represent each rotation, and a capsule may rotate freely about the capsule's axis.
 void turn_alike(shared::ClothCollider& before, const shared::ClothCollider& after);
 
 /// Converts a solid to the shaders' record. `first_of_grid` is the index of the first number of the solid's

@@ -3,7 +3,7 @@
 #define ESTAMPE_CLOTH_LARGE
 
 // Inputs and outputs of one pass of a large sheet's step, with one thread per particle.
-// Cloths::add_pass_of_step() binds them for the passes of every solver.
+// Cloths::add_pass_of_step() binds the inputs and outputs for the passes of every solver.
 
 #include "techniques/cloth/solids/cloth_met.glsl"
 

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_LINKS
 #define ESTAMPE_CLOTH_LINKS
 
-// Displacement of a particle by its links. Each link is solved separately, with the mass at either end shared
-// among all links there; near links get a larger share. The results are added, which preserves momentum and
-// is independent of the order. A link softer than the solver's limit is a spring with exactly its compliance.
+// Displacement of a particle by its links. Each link is solved separately. A particle's mass is shared among
+// all its links; near links get a larger share. The results are added, which preserves momentum and is
+// independent of the order. A link softer than the solver's limit is a spring with exactly its compliance.
 // Macklin et al., "Small Steps in Physics Simulation", SCA 2019; Tonge et al., "Mass Splitting for
 // Jitter-Free Parallel Rigid Body Simulation", SIGGRAPH 2012.
 //
@@ -16,13 +16,14 @@
 
 #include "techniques/cloth/solver/cloth_tethers.glsl"
 
-// Over-relaxation of 4 / 3 lets no sheet and no thread oscillate. Grids allow more, because no wave moves all
-// links of a grid at once.
+// Over-relaxation of 4 / 3 lets no sheet and no thread oscillate. Grids allow more over-relaxation, because
+// no wave moves all links of a grid at once.
 const float over_relaxation = (variant & cloth_bit_grid) != 0u ? 1.6 : 4.0 / 3.0;
 
-// Displacement by one link is this factor times the vector to the link's other end, times the inverse mass.
-// `split_masses` is the sum of both ends' inverse masses, each times its shares, as for a far link;
-// `softness` is the compliance divided by the squared time step.
+// Factor for the displacement of a particle by one link: the displacement is this factor times the vector to
+// the link's far end, times the particle's inverse mass. `split_masses` is a sum over the link's two ends:
+// inverse mass times the number of shares, as for a far link; `softness` is the compliance divided by the
+// squared time step.
 float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, float softness)
 {
     float length_m = length(towards);

@@ -10,8 +10,8 @@
 #include "techniques/cloth/solids/cloth_contact.glsl"
 #include "techniques/cloth/solver/cloth_links.glsl"
 
-// Self-collision: if another particle is too near, the particle moves half the missing distance away from it.
-// Only the nearest four particles that are not near in the rest shape are tested.
+// Self-collision: a particle moves away from a particle that is too near, by half the missing distance. Only
+// the nearest four particles that are not near in the rest shape are tested.
 vec3 kept_from_self(uint local, vec3 place)
 {
     uvec4 others = near_of(local);
@@ -29,8 +29,8 @@ vec3 kept_from_self(uint local, vec3 place)
     return place + sum / max(count, 1.0);
 }
 
-// A partly held particle moves towards its target. The strength of the hold is the share of the way per
-// sixtieth of a second.
+// A partly held particle moves towards its target. The strength of the hold is the share of the way to the
+// target that the particle moves per sixtieth of a second.
 vec3 held_a_little(uint local, vec3 place, float part)
 {
     vec4 target = target_of(local, part);

@@ -77,8 +77,8 @@ uint middle_of_group(uint first)
     return at.y * size.x + at.x;
 }
 
-// Finds the solids that the group's particles may meet in this step. All threads of the group must call
-// find_solids(). `beyond_m` is the distance that a particle will hardly move beyond.
+// Finds the solids that the group's particles may meet in the current step. All threads of the group must
+// call find_solids(). `beyond_m` is the distance that a particle will hardly move beyond.
 void find_solids(uint first, uint local, float beyond_m)
 {
     uint thread = gl_LocalInvocationID.x;

@@ -2,13 +2,13 @@
 #ifndef ESTAMPE_CLOTH_REST
 #define ESTAMPE_CLOTH_REST
 
-// A sheet comes to rest if all its particles have been calm for a while and nothing moves around it.
+// A sheet comes to rest if all its particles have been calm for a while and nothing moves around the sheet.
 //
 // Requires everything that cloth_flow.glsl requires.
 
 #include "techniques/cloth/air/cloth_flow.glsl"
 
-// Whether a solid that moves in this run of steps comes near a place.
+// Whether a solid that moves during the run of steps comes near a place.
 bool is_neared(vec3 place)
 {
     bool is_near = false;

@@ -15,8 +15,9 @@ uint slots = 0u;
 
 #include "techniques/cloth/solver/cloth_small.glsl"
 
-// On a grid, a thread processes a piece of a column. A window with the predicted positions of a particle and
-// of two more to each side moves along its rows, so each position is read once for two or three particles.
+// On a grid, a thread processes several consecutive particles of a column. For each row, a window holds the
+// predicted positions of five neighbouring particles and moves along the row. So each position is read once
+// for two or three particles.
 const bool goes_by_rows = (variant & cloth_bit_grid) != 0u;
 vec4 window[25];
 

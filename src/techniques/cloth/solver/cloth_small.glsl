@@ -5,10 +5,10 @@
 // One workgroup per sheet of up to 1,024 particles: all steps of a run, with positions in shared memory. Each
 // thread has its particles in slots and processes one slot after another.
 //
-// Requires before inclusion: const uint most_slots of a thread, and uint slots, the number in use. Requires
-// after inclusion: uint local_of_slot(), the particle of the current slot, or an index beyond the sheet; void
-// small_step(uint step, uint number), which calls move() for all slots; and the positions that
-// cloth_links.glsl and cloth_move.glsl require.
+// Requires before inclusion: the constants `most_slots` (largest number of slots per thread) and `slots`
+// (number of slots in use). Requires after inclusion: uint local_of_slot(), the particle of the current slot,
+// or an index beyond the sheet; void small_step(uint step, uint number), which calls move() for all slots;
+// and the positions that cloth_links.glsl and cloth_move.glsl require.
 
 #include "techniques/cloth/cloth_data.glsl"
 
@@ -38,12 +38,13 @@ layout(push_constant, scalar) uniform Constants
 shared vec4 predicted[2][cloth_small_sheet];
 uint newest = 0u;
 // Data of a thread's particles, by slot:
-vec4 froms[most_slots];     // position of the slot's particle, and its inverse mass in w
-vec4 ways[most_slots];      // acceleration, or a holder's motion per small step; w: share of links
-vec4 began[most_slots];     // position at the step's beginning; w: time for which the particle has been calm
-float beyond_m[most_slots]; // distance from `began` that the particle will hardly move beyond in this step
-uvec2 mets[most_slots];     // bits of the solids that come near the ball of radius `beyond_m` about `began`
-uint slot = 0u;             // slot of the particle that is being processed
+vec4 froms[most_slots]; // position of the slot's particle, and its inverse mass in w
+vec4 ways[most_slots];  // acceleration, or a holder's motion per small step; w: share of links
+vec4 began[most_slots]; // position at the step's beginning; w: time for which the particle has been calm
+// Distance from `began` that the particle will hardly move beyond in the current step.
+float beyond_m[most_slots];
+uvec2 mets[most_slots]; // bits of the solids that come near the ball of radius `beyond_m` about `began`
+uint slot = 0u;         // slot of the particle that is being processed
 
 vec4 predicted_at(uint local)
 {
@@ -57,12 +58,12 @@ vec3 place_at(uint local)
 
 uvec4 near_of(uint local)
 {
-    return uvec4(cloth_no_vertex); // this shader never processes sheets with self-collision
+    return uvec4(cloth_no_vertex); // a shader for small sheets never processes sheets with self-collision
 }
 
 uvec2 torn_of(uint local)
 {
-    return uvec2(0u); // this shader never processes sheets that may tear
+    return uvec2(0u); // a shader for small sheets never processes sheets that may tear
 }
 
 vec4 met_ball()
@@ -93,8 +94,8 @@ void take_turns()
 }
 
 // Loads a particle at the beginning of a step, and marks the sheet as awake if the particle is not at rest.
-// The mark is stored in the first particle's share of links, which is never negative and unused here, because
-// no shared memory is left.
+// The mark is stored in the first particle's share of links, because no shared memory is left. The share is
+// never negative and not used here.
 void look_at(uint local, uint step)
 {
     vec4 place = places[sheet.first + local];
@@ -107,7 +108,7 @@ void look_at(uint local, uint step)
     }
 }
 
-// Whether the sheet moves in this step. Loops over slots test their condition at the end: on CPU
+// Whether the sheet moves in the current step. Loops over slots test their condition at the end: on CPU
 // implementations of Vulkan, a loop that tests its condition at the beginning runs one extra round.
 bool is_awake(uint step)
 {

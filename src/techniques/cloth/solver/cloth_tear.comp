@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per particle, at the end of a step: finds the particle's links that tear in this step. Both ends
-// of a link compute equal results, from the same two positions. The last of two passes removes the links that
-// lead across a tear.
+// One thread per particle, at the end of a step: finds the particle's links that tear in the step. Both ends
+// of a link compute equal results, from equal positions of the two particles. The last of two passes removes
+// the links that lead across a tear.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -82,8 +82,9 @@ bool is_torn_on_way(ivec2 at, ivec2 first, ivec2 second)
     return is_torn(at, first) || is_torn(at + first, second);
 }
 
-// Torn bits of far links on a grid. A link two particles apart tears with either link between them. A link a
-// knight's move away tears when both paths are torn.
+// Torn bits of far links on a grid. A link between particles two columns or rows apart tears when either
+// direct link between the particles tears. A link a knight's move away tears when both paths along direct
+// links are torn.
 uvec2 far_torn_on_grid(ivec2 at)
 {
     uvec2 torn = uvec2(0u);
@@ -92,7 +93,7 @@ uvec2 far_torn_on_grid(ivec2 at)
         if (max(abs(way.x), abs(way.y)) < 2 || !is_within(at + way)) {
             continue;
         }
-        ivec2 half_way = way / 2; // half of the link; for a knight's move, the straight part of it
+        ivec2 half_way = way / 2; // half of the link; for a knight's move, the straight part of the link
         ivec2 left = way - half_way;
         bool is_across = is_torn_on_way(at, half_way, left);
         if (half_way != left) {
@@ -141,8 +142,8 @@ bool is_direct(uint local, uint other)
     return is_found;
 }
 
-// Whether a tear lies between two particles: a common neighbour of them has a torn link to one of them, or to
-// another common neighbour.
+// Whether a tear lies between two particles: a common neighbour of both particles has a torn link to one of
+// the two particles, or to another common neighbour.
 bool is_across_in_lists(uint local, uint other)
 {
     bool is_across = false;
@@ -154,7 +155,7 @@ bool is_across_in_lists(uint local, uint other)
         is_across = is_across || has_bit(torn_of(local), k) || is_torn_between(link.x, other);
         uvec2 torn = torn_of(link.x);
         for (uint i = 0u; i < (torn == uvec2(0u) ? 0u : sheet.link_width); ++i) {
-            // Only direct links are tested, because this pass may have torn far links already.
+            // Only direct links are tested, because cloth_tear.comp may have torn far links already.
             uvec4 next = link_at(link.x, i);
             bool is_beside = has_bit(torn, i) && uintBitsToFloat(next.y) > 0.0 && is_direct(next.x, local) &&
                              is_direct(next.x, other);

@@ -23,8 +23,9 @@ float[5] there_about(int at, int size)
 }
 
 // Bending of a grid as a thin plate in finite differences, without the differences that reach beyond the
-// edge. Returns the coefficient of the vector to the particle x, y places away, in the bending force at
-// rigidity 1. Adding these terms one by one needs fewer registers than adding all terms together.
+// edge. Returns the coefficient of the vector to the particle x columns and y rows away, in the bending force
+// at rigidity 1. Adding the terms of the bending force one by one needs fewer registers than adding all terms
+// together.
 float grid_bend_share(int x, int y, float columns[5], float rows[5])
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
@@ -44,8 +45,8 @@ float grid_bend_share(int x, int y, float columns[5], float rows[5])
            twist * along[2 + way] * (across[1] + across[3]);
 }
 
-// Coefficient of the bending force like grid_bend_share(), for a sheet that may tear: torn particles are
-// omitted like those beyond the edge.
+// Coefficient of the bending force like grid_bend_share(), for a sheet that may tear: particles behind a tear
+// are omitted like particles beyond the edge.
 float torn_bend_share(int x, int y, float columns[5], float rows[5], uvec2 torn)
 {
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_TORN
 #define ESTAMPE_CLOTH_TORN
 
-// Torn links of a cloth sheet: 64 bits per particle, one per link. In lists the k-th link has the k-th bit.
-// On a grid link_bit() gives the bit of a link, and the four cells around a particle have bits of their own,
-// set if any link of the cell is torn.
+// Torn links of a cloth sheet: 64 bits per particle, one per link. In a sheet with lists of links, link
+// number k has bit number k. On a grid, the function link_bit() gives the bit of a link. The four grid cells
+// around a particle also have bits, set if any link of the cell is torn.
 //
 // Requires: uvec2 torn_of(uint local).
 

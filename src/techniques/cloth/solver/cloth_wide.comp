@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup per sheet, for GPUs: a thread has one particle or few particles. Their values stay in
-// registers, and the many threads hide memory latency.
+// One workgroup per sheet, for GPUs: a thread has one particle or few particles. The particles' values stay
+// in registers, and the many threads hide memory latency.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

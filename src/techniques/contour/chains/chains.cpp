@@ -157,8 +157,8 @@ uint32_t sample_capacity(glm::uvec2 size_px)
 
 namespace {
 
-/// The outline of a mesh of n triangles crosses about 0.7 n^0.8 of the triangles (McGuire 2004). This
-/// function reserves space for six times as many segments.
+/// The outline of a mesh with n triangles crosses about 0.7 n^0.8 triangles (McGuire 2004).
+/// segment_capacity() reserves space for six times that number of segments.
 uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_edges, uint32_t cells)
 {
     const auto items = static_cast<double>((along_edges ? 0 : mesh.triangle_count) + mesh.loose_edge_count +
@@ -169,8 +169,8 @@ uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_
 
 struct Marks {
     gpu::BufferId facing;
-    /// The part of each loose edge (an edge without a crease or other fixed line) that is outline; unused if
-    /// the mesh has no loose edges.
+    /// For each loose edge (an edge without a fixed line such as a crease): the part that is outline; unused
+    /// if the mesh has no loose edges.
     gpu::BufferId edge_parts;
     gpu::BufferId words;
     gpu::BufferId before;
@@ -179,7 +179,7 @@ struct Marks {
 };
 
 /// Number of words of mark bits (1: a line runs through) for triangles and loose edges. The mark bits of the
-/// page lattice's cells follow after these words.
+/// page lattice's cells follow after the words for triangles and edges.
 uint32_t mesh_words(const shared::ChainConstants& constants)
 {
     return (constants.triangle_count + 31) / 32 + (constants.loose_edge_count + 31) / 32 +

@@ -3,10 +3,10 @@
 #define ESTAMPE_CHAINS_GLSL_H
 // Declarations for contour chains (lines linked into chains along surfaces) that C++ and shaders share: kinds
 // of lines, neighbours of triangles, shader variants and the formats of all lists. An item is a unit that can
-// contain one piece of a line: a triangle or a loose edge for outlines, a triangle for suggestive contours, a
-// cell of the page for lines found on the page. The items are numbered in this order. A slot is an entry of
-// the list of chains: first one slot per feature chain, then one slot per segment. Only one segment
-// represents its chain; the slots of all other segments stay empty.
+// contain one segment of a line: a triangle or a loose edge for outlines, a triangle for suggestive contours,
+// a cell of the page for lines found on the page. The items are numbered in the order triangles, loose edges,
+// cells. A slot is an entry of the list of chains: first one slot per feature chain, then one slot per
+// segment. One segment represents each chain; the slots of the chain's remaining segments stay empty.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -28,7 +28,7 @@ SHARED_CONSTANT uint line_crest = 8U;
 SHARED_CONSTANT uint line_intersection = 9U;
 SHARED_CONSTANT uint line_shadow = 10U;
 SHARED_CONSTANT uint line_kind_count = 11U;
-// Kinds of lines from this number on are found between the pixels of the page, not on the mesh.
+// Number of the first kind of line that is found between the pixels of the page, not on the mesh.
 SHARED_CONSTANT uint line_first_of_page = line_intersection;
 
 // The record of a triangle in an edge mesh: the numbers of the three adjacent triangle sides (no_side where
@@ -36,10 +36,10 @@ SHARED_CONSTANT uint line_first_of_page = line_intersection;
 
 SHARED_CONSTANT uint no_side = 0xffffffffU;
 
-// Flags of a triangle. is_turned: the triangle's winding is opposite to that of its shell (connected
-// surface). smooth_shift: three bits, one for each side across which shading is smooth. is_inside_out: the
-// vertex normals around the triangle point to the back of the shell. shell_shift: the number of its shell,
-// from 1, or 0 if the triangle has no lines.
+// Flags of a triangle. is_turned: the triangle's winding is opposite to the winding of the triangle's shell
+// (connected surface). smooth_shift: three bits, one for each side across which shading is smooth.
+// is_inside_out: the vertex normals around the triangle point to the back of the shell. shell_shift: the
+// number of the triangle's shell, from 1, or 0 if the triangle has no lines.
 SHARED_CONSTANT uint neighbor_is_turned = 1U;
 SHARED_CONSTANT uint neighbor_smooth_shift = 1U;
 SHARED_CONSTANT uint neighbor_is_inside_out = 16U;
@@ -56,7 +56,7 @@ SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;
 SHARED_CONSTANT uint emit_along_edges = 1U << 1U;
 
 // Some points of feature lines (creases and other lines fixed to the surface) lie between vertices, and some
-// of their pieces cross triangles.
+// segments of feature lines cross triangles.
 SHARED_CONSTANT uint order_features_leave_edges = 1U << 0U;
 
 // The shader makes strokes for hidden lines, not for visible lines.
@@ -65,7 +65,7 @@ SHARED_CONSTANT uint split_wants_hidden = 1U << 0U;
 // At least one material sets the ink and width of its outline.
 SHARED_CONSTANT uint shape_has_own_outlines = 1U << 0U;
 SHARED_CONSTANT uint shape_recalls_frame = 1U << 1U; // the strokes of the previous frame are available
-// The strokes of this frame are stored for the next frame.
+// The strokes of the current frame are stored for the next frame.
 SHARED_CONSTANT uint shape_is_remembered = 1U << 2U;
 SHARED_CONSTANT uint shape_has_brushes = 1U << 3U;
 SHARED_CONSTANT uint shape_has_sway = 1U << 4U;
@@ -81,7 +81,7 @@ SHARED_CONSTANT uint shape_stretches = 1U << 10U;
 SHARED_CONSTANT uint shape_has_variants = 1U << 11U;
 SHARED_CONSTANT uint shape_has_inks_by_kind = 1U << 12U;
 
-// Some lines have a brush; the corners of these lines are not mitred.
+// Some lines have a brush; the corners of lines with a brush are not mitred.
 SHARED_CONSTANT uint joints_has_brushes = 1U << 0U;
 
 // At least one material sets the ink and width of its outline.
@@ -90,7 +90,7 @@ SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U;
 // objects).
 SHARED_CONSTANT uint ink_layer_has_variants = 1U << 1U;
 
-// Data formats of contour chains, and of the lists before and after them in the pipeline.
+// Data formats of contour chains, and of the lists in the pipeline before and after chains.
 
 // Spacing in pixels of the points of the page lattice (the grid in which lines are found on the page).
 SHARED_CONSTANT uint cell_px = 2U;
@@ -116,8 +116,8 @@ SHARED_CONSTANT uint chain_is_closed = 1U;
 SHARED_CONSTANT uint part_is_there = 1U;
 // The edge's first side belongs to the triangle that faces the eye.
 SHARED_CONSTANT uint part_first_is_front = 2U;
-// Position of two bits that tell how the outline ends at the edge's low end; their value is one of
-// bound_is_corner, bound_in_first and so on.
+// Position of two bits that tell how the outline ends at the edge's low end. The bits hold bound_is_corner,
+// bound_in_first or another constant bound_*.
 SHARED_CONSTANT uint part_low_shift = 2U;
 SHARED_CONSTANT uint part_high_shift = 4U;
 SHARED_CONSTANT uint bound_is_corner = 0U; // the outline reaches the end of the edge
@@ -131,10 +131,10 @@ SHARED_CONSTANT uint crossing_is_there = 0x80000000U;
 SHARED_CONSTANT uint crossing_rises = 0x40000000U;
 SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
 
-// Value for a closed chain without a place to cut it open: it has neither a hidden part nor a corner.
+// Value for a closed chain that cannot be cut open, because the chain has neither a hidden part nor a corner.
 SHARED_CONSTANT uint no_rotation = 0xffffffffU;
-// This bit is set if a closed chain is cut open at a corner. A chain is cut at a corner only if it has no
-// hidden part at which it could be cut.
+// This bit is set if a closed chain is cut open at a corner. A chain with a hidden part is cut at the hidden
+// part, not at a corner.
 SHARED_CONSTANT uint rotation_to_corner = 0x40000000U;
 
 // A point of a feature line (a line fixed to the surface). `kind` and `side` describe the edge to the next
@@ -142,7 +142,7 @@ SHARED_CONSTANT uint rotation_to_corner = 0x40000000U;
 // next point.
 struct FeaturePoint {
     uint vertex;
-    uint other_vertex; // the point lies at `share` of the way from `vertex` to this vertex
+    uint other_vertex; // the point lies at `share` of the way from `vertex` to `other_vertex`
     float share;
     uint chain;
     uint kind;
@@ -157,7 +157,7 @@ struct FeatureChain {
 
 SHARED_CONSTANT uint no_segment = 0xffffffffU;
 
-// A piece of outline within one item (a triangle or an edge). The next segment starts where this segment
+// A segment of outline within one item (a triangle or an edge). The segment `next` starts where the segment
 // ends.
 struct Segment {
     vec3 from;
@@ -167,13 +167,13 @@ struct Segment {
     uint source; // kind of line << 28 | side of a triangle; corner number 3 means the whole triangle
     uint next;   // index of the segment that follows in the chain, or no_segment
     uint has_previous;
-    // How far the smooth surface may bulge out of the flat triangle, in metres; negative if this surface
-    // hides the line.
+    // How far the smooth surface may bulge out of the flat triangle, in metres; negative if the smooth
+    // surface hides the line.
     float bulge_m;
 };
 
-// State of pointer jumping for one segment: the segment that was reached, the number of steps to it, the
-// segment with the highest number on the way, and the number of steps to that highest segment.
+// State of pointer jumping for one segment: the segment that was reached, and the segment with the highest
+// number on the way; for each of the two, the number of steps.
 struct Rank {
     uint at;
     uint steps;
@@ -181,7 +181,7 @@ struct Rank {
     uint steps_to_highest;
 };
 
-// A point of a chain. `bulge_m` and `source` describe the piece of line from this point to the next.
+// A point of a chain. `bulge_m` and `source` describe the line from the point to the next point of the chain.
 struct ChainPoint {
     vec3 anchor;
     uint normal;
@@ -197,7 +197,7 @@ SHARED_CONSTANT uint sample_is_visible = 1U;
 SHARED_CONSTANT uint sample_is_off_page = 2U;
 SHARED_CONSTANT uint sample_is_corner = 4U;
 SHARED_CONSTANT uint sample_in_ring = 8U;  // the sample belongs to a closed line without a gap
-SHARED_CONSTANT uint piece_is_there = 16U; // the line continues from this sample to the next
+SHARED_CONSTANT uint piece_is_there = 16U; // the line continues from the sample to the next sample
 
 // A sample (a point on a chain). The samples of one chain are equally spaced.
 struct LineSample {
@@ -234,14 +234,14 @@ struct DrawnSample {
     float half_width_px;
     float arc_px; // position along the brush, in pixels; the position follows the surface from frame to frame
     uint seed;
-    float whole_px; // length in pixels of the stroke, and of a brush that stretches over it
+    float whole_px; // length in pixels of the stroke, and of a brush that stretches over the stroke
 };
 
 SHARED_CONSTANT uint no_stroke_seed = 0xffffffffU;
 
-// Data that a sample has inherited from the same place in the previous frame.
+// Data that a sample has inherited from the sample's place in the previous frame.
 struct Recall {
-    // Half the line width in the previous frame; negative if the previous frame had no line at this sample.
+    // Half the line width in the previous frame; negative if the previous frame had no line at the sample.
     float half_width_px;
     float offset_px;
     uint seed; // seed of the stroke in the previous frame, or no_stroke_seed
@@ -316,22 +316,22 @@ struct ChainConstants {
     uint point_capacity;
     uint sample_capacity;
     float step_px;           // approximate distance between samples, in pixels
-    uint first_crest_vertex; // vertices from this index on belong to the terrain mesh that has crests
-    float least_turn;        // smallest change of slope across a crest that is drawn
+    uint first_crest_vertex; // index of the first vertex of the terrain mesh that has crests
+    float least_turn;        // smallest change of slope across a drawn crest
 };
 
 // The page lattice: a grid of points on the page, between which lines are found. See page_cells.glsl.
 struct CellConstants {
     uint columns; // number of points per row of the page lattice (a grid of points on the page)
     uint rows;
-    uint first_word; // index of the first word of mark bits (1: a line runs through) for this kind of line
+    uint first_word; // index of the kind of line's first word of mark bits (1: a line runs through)
     uint word_count; // total number of words of mark bits (1: a line runs through)
     uint kind;
     float point_px; // position of a lattice point within its pixel, equal for x and y
 };
 
 // Curvature of a surface at a vertex, as in contour::Bending, in units of the object's size. The tangent of
-// its frame points to the vertex `neighbor`.
+// the curvature's coordinate frame points to the vertex `neighbor`.
 struct VertexBending {
     uint neighbor;
     vec3 form;
@@ -348,7 +348,7 @@ struct ViewBendConstants {
 struct CrestConstants {
     uint first_vertex; // index of the first vertex of the mesh with crests
     uint vertex_count; // number of vertices of all meshes; the mesh with crests comes last
-    uint keeps_others; // 1 if another pass has already written the values of all other meshes' vertices
+    uint keeps_others; // 1 if an earlier pass has already written the values of all meshes without crests
     vec2 along;        // unit vector of the direction towards which the wind blows, as (x, z)
 };
 
@@ -403,7 +403,7 @@ struct InkConstants {
     vec3 ink_color;
 };
 
-// Brushes are indexed by kind of line; this last index is the brush of hidden lines.
+// Brushes are indexed by kind of line; brush_hidden, the last index, is the brush of hidden lines.
 SHARED_CONSTANT uint brush_hidden = line_kind_count;
 SHARED_CONSTANT uint brush_use_count = line_kind_count + 1U;
 SHARED_CONSTANT uint brush_columns = 1024U;

@@ -56,8 +56,8 @@ struct LineMesh {
 /// Visible and hidden lines are drawn separately.
 enum class LineClass : uint8_t { seen, hidden };
 
-/// The strokes that the previous frame drew. New strokes use this history to keep their width, their wobble
-/// and their position along the line when chains split or join.
+/// The strokes that the previous frame drew. Strokes use the line history to keep their width, wobble and
+/// position along the line when chains split or join.
 class LineHistory {
 public:
     /// Buffers with the strokes of one frame, kept for the next frame.
@@ -67,8 +67,8 @@ public:
     };
 
     /// Allocates buffers for frames of `size_px`. The previous frame is used only if `continues` is set and
-    /// that frame had the same size. With `has_hidden`, the history stores hidden lines too. Throws Error
-    /// when memory runs out.
+    /// the frame size is unchanged. With `has_hidden`, the history stores hidden lines too. Throws Error when
+    /// memory runs out.
     void begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues, bool has_hidden = false);
 
     /// Call this function when a frame is drawn. `clip_from_anchor` is the camera of that frame.
@@ -148,7 +148,7 @@ struct Chains {
 /// Chains divided into evenly spaced samples, with the visibility of each.
 struct ChainSamples {
     gpu::BufferId sizes;
-    /// For each point of the chains: sum of the lengths of all pieces of line before the point.
+    /// For each point of the chains: arc length of the chain from its start to the point.
     gpu::BufferId lengths_before;
     /// For each slot (entry of the list of chains): number of line samples in all earlier slots.
     gpu::BufferId samples_before;
@@ -166,17 +166,18 @@ struct ChainStrokes {
     gpu::BufferId samples; ///< one LineSample per sample; closed chains are already cut open
     /// For each slot (entry of the list of chains): number of line samples in all earlier slots.
     gpu::BufferId samples_before;
-    gpu::BufferId strokes_before; ///< for each sample: number of strokes that start before it
+    gpu::BufferId strokes_before; ///< for each sample: number of strokes that start before the sample
     gpu::BufferId strokes;        ///< one Stroke per stroke
     gpu::BufferId grid;           ///< sample grid, which finds samples by their position on the page
 };
 
 constexpr size_t most_hands = 3; ///< how many times lines can be drawn, see the style's `contour.strokes`
 
-/// Path and width of the pen along all strokes, for one of the times that the simulated hand draws them.
+/// Path and width of the pen along all strokes, for one of the times that the simulated hand draws the
+/// strokes.
 struct HandDrawn {
-    /// Two LinePoints per sample: one for the start of the piece of line after the sample, one for the end of
-    /// the piece before the sample.
+    /// Two LinePoints per sample: one for the start of the line to the next sample, one for the end of the
+    /// line from the previous sample.
     gpu::BufferId line_points;
     gpu::BufferId touches; ///< two LineTouches per sample; unused if all lines are drawn with the pen
 };
@@ -223,13 +224,13 @@ struct ChainInputs {
     gpu::ExecutionProfile execution;
 };
 
-/// Collects the inputs of add_chains() from those of a frame.
+/// Collects the inputs of add_chains() from the inputs of a frame's contours.
 [[nodiscard]] ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                        const ContourStyle& style);
 
-/// Finds outlines (one segment per triangle or edge), suggestive contours if the line mesh has curvature, and
-/// lines between the pixels of the page. Links these lines and the feature lines (creases and other lines
-/// fixed to the surface) into chains.
+/// Finds outlines (one segment per triangle or edge), and lines between the pixels of the page. Also finds
+/// suggestive contours if the line mesh has curvature. Links all lines found and the feature lines (creases
+/// and other lines fixed to the surface) into chains.
 ///
 /// Cost    one or two threads per triangle, and further threads in proportion to the number of lines
 /// Source  segments: Hertzmann and Zorin, "Illustrating Smooth Surfaces", 2000; ranking: Wyllie, "The
@@ -251,7 +252,7 @@ struct ChainInputs {
 [[nodiscard]] shared::VariantLines variant_lines_of(const ContourStyle& style, float pixels_per_mm);
 
 /// Links lines into chains and shapes their strokes, but does not ink them. With a `history`, the strokes
-/// continue those of the previous frame and are stored for the next frame. `history` must live until the
+/// continue the previous frame's strokes and are stored for the next frame. `history` must live until the
 /// graph has run.
 [[nodiscard]] ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                                LineHistory* history, const ContourStyle& style);

@@ -3,7 +3,7 @@
 #define ESTAMPE_CHAIN_LISTS
 
 // Access to the chain lists through texel buffers, because CPU drivers can gather several texels at once. A
-// list is available if its binding was defined before inclusion.
+// list is available in a shader that defined the list's binding before including lists.glsl.
 
 #include "techniques/contour/chains/chains.glsl.h"
 

@@ -8,7 +8,7 @@
 namespace estampe::fluid {
 
 /// Adds `rounds` Jacobi iterations that start from zero pressure. Cost: one pass per four iterations in 2D,
-/// one per iteration in 3D.
+/// one pass per iteration in 3D.
 [[nodiscard]] gpu::BufferId add_jacobi(gpu::Graph& graph, const Grid& grid, const Equation& equation,
                                        uint32_t rounds);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: takes the mass that the cell has claimed from other cells. If more mass was claimed
-// than exists, claims are scaled down.
+// One thread per cell: takes the mass that the cell has claimed from its surroundings. If more mass was
+// claimed than exists, claims are scaled down.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

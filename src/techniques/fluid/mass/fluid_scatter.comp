@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: moves the unclaimed mass along the flow, and distributes it over the cells around its
-// destination.
+// One thread per cell: moves the unclaimed mass along the flow, and distributes that mass over the cells
+// around the destination.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_SHARES
 #define ESTAMPE_FLUID_SHARES
 
-// Distributes a mass over the cells around a place, in whole numbers. Include after fluid_fields.glsl, with
-// the same requirements.
+// Distributes a mass over the cells around a place, in whole numbers. Include fluid_shares.glsl after
+// fluid_fields.glsl; the requirements of fluid_fields.glsl apply.
 
 const int fluid_most_sharers = 8;
 
@@ -50,7 +50,7 @@ uint part_of(uint mass, uint part)
     return is_negative ? -result : result;
 }
 
-// Place of a mass in the buffers, which hold all cells of a channel before those of the next channel.
+// Place of a mass in the buffers, which hold all cells of a channel before all cells of the next channel.
 uint mass_index(uint cell_index, uint channel)
 {
     return channel * grid.width * grid.height * grid.depth + cell_index;

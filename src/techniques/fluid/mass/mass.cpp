@@ -38,7 +38,7 @@ std::vector<uint32_t> units_of(const Grid& grid, std::span<const float> mass)
     return units;
 }
 
-/// Masses that move along the same paths.
+/// Masses that move along equal paths.
 struct Masses {
     gpu::Name name; ///< name of the passes, such as "fluid/medium"
     gpu::BufferId units;
@@ -123,14 +123,15 @@ MassAndVelocity add_mass_pressure(gpu::Graph& graph, const Grid& grid, const Sol
                                   const MassAndVelocity& start, gpu::ImageId target, float time_s)
 {
     constexpr float courant = 0.4F; // cells that sound crosses per part of a step; noise grows above 0.5
-    // Mass moves with the mean speed of a cell's two faces, so a speed that changes its sign from face to
-    // face moves no mass and meets no pressure. Bulk viscosity damps such speeds.
+    // Mass moves with the mean speed of a cell's two faces. So a speed that alternates in sign from face to
+    // face moves no mass and meets no pressure. Bulk viscosity damps alternating speeds.
     const float damping = grid.is_volume() ? 0.12F : 0.2F;
     const float part_s = time_s / static_cast<float>(mass_parts);
     const float sound_m_per_s = courant * grid.cell_m / part_s;
     // When mass moves to a neighbour cell, the method `both_ways` uses the speed in the middle of the
-    // neighbour. The method `forward` uses the speed in the middle of the mass's own cell. These errors have
-    // opposite signs: one makes waves grow that run with the flow, the other waves that run against it.
+    // neighbour. The method `forward` uses the speed in the middle of the mass's own cell. The errors of the
+    // two methods have opposite signs: one error makes waves grow that run with the flow, the other error
+    // makes waves grow that run against the flow.
     MassAndVelocity now = start;
     for (uint32_t i = 0; i < mass_parts; ++i) {
         const bool is_last = i + 1 == mass_parts;

@@ -21,8 +21,9 @@ enum class MassAdvection : uint8_t {
               ///< mass; unclaimed mass moves as with `forward`
 };
 
-/// A field of mass that a flow moves, in units of 1 / 65536 per cell. The sum is constant to the unit, and no
-/// cell is negative; a cell holds up to 65535. The result does not depend on the order of threads.
+/// A field of mass that a flow moves, in units of 1 / 65536 per cell. The sum of all cells is constant to the
+/// unit. No cell is negative; a cell holds a mass of at most 65535. The result does not depend on the order
+/// of threads.
 class MassField {
 public:
     /// Creates a field of mass. `mass` has one number from 0 to 32768 per cell; otherwise std::logic_error is
@@ -56,11 +57,11 @@ struct Spread {
     gpu::BufferId mass;
     gpu::ImageId velocity;
     gpu::ImageId target;
-    std::optional<Solids> solids = {}; ///< there is no acceleration across the faces of solid cells
+    std::optional<Solids> solids = {}; ///< solid cells: across their faces there is no acceleration
     float stiffness_m2_s2 = 0.0F;
     float time_s = 0.0F;
-    /// Bulk viscosity: the speed of a face grows by this share of the difference in outflow between its two
-    /// cells. Damps sound; stable up to 0.25 in 2D and 1/6 in 3D.
+    /// Bulk viscosity: the speed of a face grows by a share, `damping`, of the difference in outflow between
+    /// the face's two cells. Damps sound; stable up to 0.25 in 2D and 1/6 in 3D.
     float damping = 0.0F;
 };
 
@@ -84,9 +85,9 @@ inline constexpr uint32_t mass_parts = 8;
 /// Number of passes of add_mass_pressure().
 [[nodiscard]] uint32_t passes_of_mass_pressure();
 
-/// Advects quantities both ways in units of 1 / 65536, so that the sum of each quantity stays the same to the
-/// unit. Quantities may be negative; quantities beyond 2048 are clamped. Returns `carried.target`.
-/// `carried.ways` is not used.
+/// Advects quantities with the method both_ways, in units of 1 / 65536, so that the sum of each quantity
+/// stays the same to the unit. Quantities may be negative; quantities beyond 2048 are clamped. Returns
+/// `carried.target`. `carried.ways` is not used.
 [[nodiscard]] gpu::ImageId add_conserving_advection(gpu::Graph& graph, const Grid& grid,
                                                     const Carried& carried, float time_s);
 inline constexpr uint32_t passes_of_conserving_advection = 8;

@@ -3,7 +3,8 @@
 #define ESTAMPE_FLUID_MATTER
 
 // Sources, fading, cooling, combustion, condensation and evaporation of a cell's quantities. Requires
-// `matter`, a FluidMatter. Include after fluid_shapes.glsl, with the same requirements.
+// `matter`, a FluidMatter. Include fluid_matter.glsl after fluid_shapes.glsl; the requirements of
+// fluid_shapes.glsl apply.
 
 const int most_channels = (variant & fluid_bit_few) != 0u ? fluid_fuel : int(fluid_most_channels);
 
@@ -50,7 +51,7 @@ void condense(inout float amounts[fluid_most_channels], float height_m)
 void settle(inout float amounts[fluid_most_channels], ivec3 cell)
 {
     vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
-    float least = 0.0; // lowest density that the sources allow in this cell
+    float least = 0.0; // lowest density that the sources allow in the cell
     float least_vapour = 0.0;
     for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {
         float cover = cover_of(shape_list[k], place_m);

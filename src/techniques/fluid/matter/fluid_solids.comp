@@ -16,7 +16,8 @@ layout(scalar, binding = 0) readonly buffer Shapes
     FluidShape shape_list[];
 };
 
-// One word per cell: whether the cell is solid permanently; a single word if no cell is.
+// One word per cell: whether the cell is solid permanently. The buffer has a single word if no cell is solid
+// permanently.
 layout(binding = 1) uniform usamplerBuffer standing;
 
 layout(scalar, binding = 2) writeonly buffer Solids

@@ -19,7 +19,7 @@ namespace estampe::fluid {
 /// Sizes along z only count in 3D.
 struct Shape {
     glm::vec3 centre_m{0.0F}; ///< centre of the shape, from the grid's low corner
-    glm::vec3 half_m{0.0F};   ///< half size of the box along its own axes
+    glm::vec3 half_m{0.0F};   ///< half size of the box along the box's own axes
     float radius_m = 0.0F;
     float angle_rad = 0.0F; ///< rotation about z, from x towards y
     glm::vec3 velocity_m_per_s{0.0F};
@@ -28,10 +28,10 @@ struct Shape {
 
 [[nodiscard]] Shape disc(glm::vec3 centre_m, float radius_m);
 [[nodiscard]] Shape box(glm::vec3 centre_m, glm::vec3 half_m, float angle_rad = 0.0F);
-/// Makes a capsule. `length_m` is the distance between the centres of its two round ends.
+/// Makes a capsule. `length_m` is the distance between the centres of the capsule's two round ends.
 [[nodiscard]] Shape capsule(glm::vec3 centre_m, float length_m, float radius_m, float angle_rad = 0.0F);
 
-/// A shape that brings smoke, heat or other quantities into the fluid.
+/// A shape that brings smoke, heat or further quantities into the fluid.
 struct Source {
     Shape shape;
     float push_per_s = 0.0F; ///< rate at which the fluid inside approaches the shape's velocity
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] shared::FluidShapes constants(const Grid& grid, float age_s, float step_s,
                                                 uint32_t channels) const;
 
-    /// Whether a source pushes the fluid inside it.
+    /// Whether any source accelerates the fluid inside the source.
     [[nodiscard]] bool are_pushing() const;
 
     [[nodiscard]] bool are_solid() const { return obstacle_count_ > 0; }
@@ -71,20 +71,20 @@ private:
 };
 
 /// Adds a pass that writes for each cell which obstacle contains it into `cells`. `standing` has one word per
-/// cell, fluid_stands_still or 0; if no cell is solid permanently, it may be shorter.
+/// cell, fluid_stands_still or 0; if no cell is solid permanently, `standing` may be shorter.
 [[nodiscard]] Solids add_solids(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,
                                 const shared::FluidShapes& constants, gpu::BufferId standing,
                                 gpu::BufferId cells);
 
-/// Adds a pass that returns `velocity` with obstacles' velocities on their faces and with the push of
-/// sources.
+/// Adds a pass that returns `velocity` with the velocities of obstacles on the obstacles' faces, and with the
+/// push of sources.
 [[nodiscard]] gpu::ImageId add_push(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,
                                     const shared::FluidShapes& constants, const Solids& solids,
                                     gpu::ImageId velocity);
 
 /// Changes of a fluid's quantities besides advection. Channels 0 to 4 are density, temperature relative to
-/// the surroundings, fuel, vapour and cloud; effects on channels that the fluid lacks are skipped. Channels
-/// from 5 on are free, for example for colours.
+/// the surroundings, fuel, vapour and cloud. Effects on missing channels are skipped. Channels from 5 on are
+/// free, for example for colours.
 struct MatterStyle {
     float fading_per_s = 0.0F;  ///< rate at which density decays
     float cooling_per_s = 0.0F; ///< rate at which the temperature approaches that of the surroundings
@@ -103,13 +103,13 @@ struct MatterStyle {
     float latent_heat = 0.0F;           ///< gain of temperature per unit of condensed vapour
 
     Rim rim; ///< layer where density, heat, fuel and cloud leave, and vapour becomes `outside_vapour`
-    float outside_vapour = 0.0F; ///< vapour of the outside air, limited by its saturation
+    float outside_vapour = 0.0F; ///< vapour of the outside air, limited by the air's saturation
 
     bool operator==(const MatterStyle&) const = default;
 };
 
 /// Adds a pass that applies one step of MatterStyle and of the sources to `quantities`. Returns `quantities`
-/// itself if nothing changes them.
+/// itself if nothing changes the quantities.
 [[nodiscard]] gpu::ImageId add_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style,
                                       gpu::BufferId shapes, const shared::FluidShapes& constants,
                                       gpu::ImageId quantities);

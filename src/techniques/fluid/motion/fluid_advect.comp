@@ -50,8 +50,8 @@ vec4 beyond_wall(vec4 inner, int component, int axis, bool is_high)
                 beyond_wall(inner.zw, component, axis, is_high));
 }
 
-// Corrects four nodes along an axis, for four rows at once, if some lie on or beyond a wall; `low` is the
-// first node's index. A second node beyond the wall gets the first one's value.
+// Corrects four nodes along an axis, for four rows at once, if some nodes lie on or beyond a wall; `low` is
+// the first node's index. A second node beyond the wall gets the first one's value.
 void mend_four(inout mat4 nodes, int low, int component, int axis)
 {
     if (are_four_far_from_wall(low, axis)) {
@@ -109,7 +109,8 @@ CubicSample sample_cubic(sampler2DArray field, int component, ivec3 node, int fi
         mat4 rows = sixteen_nodes(field, component, low.xy, first_layer);
         return CubicSample(dot(up, across * rows), with_middle(no_range, rows));
     }
-    // Wall corrections are linear, so they may be applied to sums over a slice instead of to nodes.
+    // Wall corrections are linear, so the corrections may be applied to sums over a slice and not to single
+    // nodes.
     mat4 slices = mat4(0.0);
     vec2 range = no_range;
     for (int k = 0; k < 4; ++k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per cell of a 3D fluid: vorticity confinement force at the cell centre, from the vorticity and
-// its magnitude. Source: Steinhoff and Underhill, "Modification of the Euler equations for vorticity
-// confinement", Physics of Fluids 6, 1994.
+// the vorticity's magnitude. Source: Steinhoff and Underhill, "Modification of the Euler equations for
+// vorticity confinement", Physics of Fluids 6, 1994.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -37,8 +37,8 @@ void main()
     for (int axis = 0; axis < 3; ++axis) {
         gradient[axis] = curl_at(neighbour(cell, axis, 1)).w - curl_at(neighbour(cell, axis, -1)).w;
     }
-    // Vorticity confinement: the force is perpendicular to the curl and to the gradient of its strength. The
-    // gradient is scaled to a length of at most 1.
+    // Vorticity confinement: the force is perpendicular to the curl and to the gradient of the curl's
+    // strength. The gradient is scaled to a length of at most 1.
     vec3 force = cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), curl_at(cell).xyz);
     imageStore(out_force, cell, vec4(force, 0.0));
 }

@@ -2,12 +2,13 @@
 #ifndef ESTAMPE_FLUID_CORRECT
 #define ESTAMPE_FLUID_CORRECT
 
-// MacCormack's correction of the blur of semi-Lagrangian advection. The result, advected backwards, should
-// equal the original; half of the difference is added, clamped to the range of the source nodes. Requires
-// `field` and `advected`, two sampler2DArray. Include after fluid_fields.glsl, with the same requirements.
+// MacCormack's correction of the blur of semi-Lagrangian advection. The advected field, when advected
+// backwards, should equal the original; half of the difference is added, clamped to the range of the source
+// nodes. Requires `field` and `advected`, two sampler2DArray. Include fluid_correct.glsl after
+// fluid_fields.glsl; the requirements of fluid_fields.glsl apply.
 
-// Value of a cell's node of `component` after MacCormack's correction. Its layers start at `first_layer`;
-// `back` and `forth` are its displacements.
+// Value of a cell's node of `component` after MacCormack's correction. The component's layers start at
+// `first_layer`; `back` and `forth` are the node's displacements.
 float corrected(int component, ivec3 cell, int first_layer, vec3 back, vec3 forth)
 {
     ivec3 texel = ivec3(cell.xy, first_layer + cell.z);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of a 3D fluid: vorticity at the cell centre, for cells of size 1, and its magnitude.
-// Values between two faces along an axis are their mean.
+// One thread per cell of a 3D fluid: vorticity at the cell centre, for cells of size 1, and the vorticity's
+// magnitude. A value between two faces along an axis is the mean of the two faces' values.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

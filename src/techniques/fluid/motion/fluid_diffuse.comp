@@ -23,7 +23,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// Laplacian at a node: the sum of the neighbours' values minus their number times the node's value.
+// Laplacian at a node: the sum of the neighbours' values minus the number of neighbours times the node's
+// value.
 float laplacian(sampler2DArray velocity, int component, ivec3 cell)
 {
     int first_layer = component * int(grid.depth);

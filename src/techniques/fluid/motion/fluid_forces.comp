@@ -74,7 +74,7 @@ float buoyancy(ivec3 cell)
     return dot(0.5 * (here + there), vec2(-forces.weight, forces.lift));
 }
 
-// Vorticity confinement force in 3D, on a cell's faces towards its lower neighbours.
+// Vorticity confinement force in 3D, on a cell's faces towards the cell's lower neighbours.
 vec3 confining_force_of_volume(ivec3 cell)
 {
     vec3 here = texelFetch(confining, cell, 0).xyz;

@@ -23,9 +23,9 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-// The velocity half a step ahead is extrapolated from the velocity half a step back, which saves a texture
-// read and preserves the order of the midpoint rule. If the two displacements differ by more than this many
-// cells, the velocity ahead is sampled.
+// The velocity half a step ahead is extrapolated from the velocity half a step back. That saves a texture
+// read and preserves the order of the midpoint rule. If the two displacements differ by more than most_bend
+// cells, the velocity half a step ahead is sampled.
 const float most_bend = 0.25;
 
 void main()

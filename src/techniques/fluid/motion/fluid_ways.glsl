@@ -3,8 +3,8 @@
 #define ESTAMPE_FLUID_WAYS
 
 // Displacements that fluid_ways.comp computed: the first layers store the backward displacements, one layer
-// per slice, the later layers the forward displacements. Requires `ways`, a sampler2DArray. Include after
-// fluid_fields.glsl, with the same requirements.
+// per slice, the later layers the forward displacements. Requires `ways`, a sampler2DArray. Include
+// fluid_ways.glsl after fluid_fields.glsl; the requirements of fluid_fields.glsl apply.
 
 vec3 way_of_cell(ivec3 cell, int first_layer)
 {

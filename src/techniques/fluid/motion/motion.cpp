@@ -103,10 +103,10 @@ gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advect
     return corrected;
 }
 
-// Viscous diffusion by the second-order Runge-Kutta-Legendre scheme, which is explicit; its stability limit
-// grows with the square of the number of stages. Source: Meyer, Balsara and Aslam, "A stabilized
-// Runge-Kutta-Legendre method for explicit super-time-stepping of parabolic and mixed equations", Journal of
-// Computational Physics 257, 2014.
+// Viscous diffusion by the second-order Runge-Kutta-Legendre scheme, which is explicit; the scheme's
+// stability limit grows with the square of the number of stages. Source: Meyer, Balsara and Aslam, "A
+// stabilized Runge-Kutta-Legendre method for explicit super-time-stepping of parabolic and mixed equations",
+// Journal of Computational Physics 257, 2014.
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Changes of a fluid's velocity before it is made divergence-free: advection, viscosity and forces.
+// Changes of a fluid's velocity before the velocity is made divergence-free: advection, viscosity and forces.
 
 #include <cstdint>
 #include <optional>
@@ -21,11 +21,12 @@ enum class Advection : uint8_t {
 
 /// Input and output of an advection.
 struct Carried {
-    gpu::ImageId velocity;                 ///< the velocity that advects the field
-    gpu::ImageId field;                    ///< the field that is advected; a velocity may advect itself
-    gpu::ImageId target;                   ///< image that is overwritten with the advected field
-    uint32_t channels = 0;                 ///< number of quantities; 0 for a velocity
-    std::optional<gpu::ImageId> ways = {}; ///< displacements from add_ways(), if several fields share them
+    gpu::ImageId velocity; ///< the velocity that advects the field
+    gpu::ImageId field;    ///< the field that is advected; a velocity may advect itself
+    gpu::ImageId target;   ///< image that is overwritten with the advected field
+    uint32_t channels = 0; ///< number of quantities; 0 for a velocity
+    /// Displacements from add_ways(), if several fields share the displacements.
+    std::optional<gpu::ImageId> ways = {};
 };
 
 /// Result of the first part of MacCormack's advection scheme, before the correction.
@@ -55,14 +56,15 @@ struct ThereAndBack {
 [[nodiscard]] gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advection,
                                          const Carried& carried, float time_s);
 
-/// Number of stages that keep viscous diffusion stable: 2 for a low viscosity, growing with its square root.
-/// `share` is viscosity times time over the square of the cell size. Throws std::logic_error above 63 stages.
+/// Number of stages that keep viscous diffusion stable: 2 for a low viscosity, growing with the viscosity's
+/// square root. `share` is viscosity times time over the square of the cell size. Throws std::logic_error
+/// above 63 stages.
 [[nodiscard]] uint32_t diffusion_stages(const Grid& grid, float share);
 
 struct Diffusion {
     float viscosity_m2_s = 0.0F;
     glm::vec3 acceleration_m_s2{
-        0.0F}; ///< uniform force; part of diffusion, so that walls slow down the flow that it drives
+        0.0F}; ///< uniform force; part of diffusion, so that walls slow down the flow that the force drives
     float time_s = 0.0F;
 };
 
@@ -71,11 +73,12 @@ struct Diffusion {
                                          const Diffusion& diffusion);
 
 struct ForceStyle {
-    glm::vec3 acceleration_m_s2{0.0F}; ///< uniform force as acceleration, such as gravity
+    glm::vec3 acceleration_m_s2{0.0F}; ///< uniform force as acceleration, for example gravity
     float friction_per_s = 0.0F;       ///< share of the speed that friction removes per second, at the start
     float lift_m_s2 = 0.0F;            ///< acceleration along +y per unit of temperature
     float weight_m_s2 = 0.0F;          ///< acceleration along -y per unit of density
-    /// Strength of vorticity confinement: a vortex gains this share of its speed across one cell per second.
+    /// Strength of vorticity confinement: speed that a vortex gains per second, as a share of the vortex's
+    /// speed difference across one cell.
     float confinement_per_s = 0.0F;
     Rim rim; ///< layer at open ends where the fluid approaches `outside_m_per_s`
     glm::vec3 outside_m_per_s{0.0F};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup per tile of a multigrid level: two smoothing sweeps that start from zero pressure, then the
-// residual, summed over the cells of the next coarser level.
+// One workgroup per tile of a multigrid level: makes two smoothing sweeps from zero pressure, then sums the
+// residual over each cell of the next coarser level.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

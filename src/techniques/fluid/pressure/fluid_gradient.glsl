@@ -3,7 +3,7 @@
 #define ESTAMPE_FLUID_GRADIENT
 
 // Subtracts the pressure gradient from a velocity. Requires two texel buffers, `pressure` and `solids`.
-// Include after fluid_fields.glsl, with the same requirements.
+// Include fluid_gradient.glsl after fluid_fields.glsl; the requirements of fluid_fields.glsl apply.
 
 bool is_solid(uint index)
 {

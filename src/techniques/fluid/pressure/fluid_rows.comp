@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One workgroup per few pairs of rows of the grid: transforms the rows forward or backward. Or it solves: it
-// transforms them forward, divides each wave by its eigenvalue of the Laplacian, and transforms them
-// backward.
+// One workgroup per few pairs of rows of the grid: transforms the rows forward or backward. Or the workgroup
+// solves: it transforms the rows forward, divides each wave by the wave's eigenvalue of the Laplacian, and
+// transforms the rows backward.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -31,11 +31,12 @@ layout(push_constant, scalar) uniform Constants
 // Forward transforms decimate in frequency, backward transforms decimate in time, both in place. Frequencies
 // are in bit-reversed order, so nothing needs to be sorted.
 //
-// An axis with walls uses cosines (DCT-II, Neumann), a periodic axis a real Fourier transform. Both come from
-// the complex transform A(k) of the row. With walls the row is first reordered after Makhoul ("A fast cosine
-// transform in one and two dimensions", IEEE Transactions on Acoustics, Speech, and Signal Processing 28,
-// 1980), and A(k) is turned by -k/4n of a full turn. In both cases the real part of A(k) is coefficient k,
-// and its negated imaginary part is coefficient n - k.
+// An axis with walls uses cosines (DCT-II, Neumann), a periodic axis a real Fourier transform. Both
+// transforms come from A(k), the complex Fourier coefficient of the row at frequency k. With walls the row is
+// first reordered after Makhoul ("A fast cosine transform in one and two dimensions", IEEE Transactions on
+// Acoustics, Speech, and Signal Processing 28, 1980), and A(k), the Fourier coefficient at frequency k of a
+// row with n numbers, is rotated by -k/4n of a full turn. The real part of the Fourier coefficient A(k) of a
+// row with n numbers is coefficient k; the negated imaginary part is coefficient n - k.
 
 const int transform_threads = 256;
 const int transform_numbers =
@@ -103,7 +104,7 @@ int place_of_frequency(int row, int k)
     return (row << log_length) + int(bitfieldReverse(uint(k)) >> (32 - log_length));
 }
 
-// Position in its row of the number that enters the transform in place j.
+// Position in the row of the number that enters the transform at index j.
 int reordered(int j)
 {
     int n = row_length();
@@ -188,15 +189,15 @@ void transform_backward()
 {
     int log_quarter = int(transform.log_length) & 1;
     if (log_quarter == 1) {
-        forward_pair(); // a transform of two numbers is its own inverse, up to the factor
+        forward_pair(); // a transform of two numbers equals its inverse, up to a factor
     }
     for (; log_quarter < int(transform.log_length); log_quarter += 2) {
         backward_four(log_quarter);
     }
 }
 
-// Separates the Fourier coefficients A(k) of two real rows from the frequencies of the complex row that they
-// form.
+// Separates the Fourier coefficients A(k), at frequency k, of two real rows from the frequencies of the
+// complex row that the two rows form.
 void untangle(int row, int k, out vec2 first, out vec2 second)
 {
     vec2 here = number_at(place_of_frequency(row, k));
@@ -237,8 +238,8 @@ int to_second_row()
     return axis_of_rows() == 0 ? int(transform.width) : 1;
 }
 
-// Index of the pair of rows, and of the number within its rows, that a thread processes in its `i`-th unit of
-// work. Neighbouring threads take neighbours along x, so that memory accesses coalesce.
+// Index of the pair of rows, and of the number within the rows, that a thread processes in unit of work
+// number `i`. Neighbouring threads take neighbours along x, so that memory accesses coalesce.
 ivec2 work_of(int i)
 {
     return axis_of_rows() == 0 ? ivec2(i >> transform.log_length, i & (row_length() - 1))
@@ -267,8 +268,8 @@ void write_rows()
     }
 }
 
-// Whether frequency `k` is the first of a pair: coefficients k and n - k of a row with n numbers come from
-// one frequency; k = 0 and k = n / 2 have no partner.
+// Whether frequency `k` is the first of a pair. In a row with n numbers, the coefficients k and n - k come
+// from one frequency; the frequencies 0 and n / 2 have no partner.
 bool is_first_of_two(int k)
 {
     return 2 * k <= row_length();
@@ -302,8 +303,8 @@ void write_coefficients()
     }
 }
 
-// Fourier coefficient A(k) from the coefficients k and n - k of a row with n numbers, which are stored at
-// `at` and `at_other`.
+// Fourier coefficient A(k) at frequency k of a row with n numbers, from the real coefficients k and n - k.
+// They are stored at the indices `at` and `at_other`.
 vec2 from_coefficients(int k, int at, int at_other)
 {
     bool is_real = k == 0 || 2 * k == row_length() && !has_walls();
@@ -331,7 +332,8 @@ void read_coefficients()
     barrier();
 }
 
-// Eigenvalue of wave k for the second difference along an axis of `cells` cells, negated.
+// Eigenvalue of the wave with frequency `k` for the second difference along an axis of `cells` cells,
+// negated.
 float stiffness(int k, uint cells, int axis)
 {
     bool is_periodic = (variant & (fluid_bit_periodic << axis)) != 0u;
@@ -352,8 +354,8 @@ float pressure_of_wave(float across, int k)
     return all_stiffness > 0.0 ? -1.0 / all_stiffness : 0.0;
 }
 
-// Fourier coefficient A(k) of a row with n numbers, after its coefficients k and n - k have been divided by
-// the eigenvalues.
+// Fourier coefficient A(k) at frequency k of a row with n numbers, after the real coefficients k and n - k
+// have been divided by the eigenvalues.
 vec2 divided(vec2 wave, float across, int k)
 {
     int n = row_length();

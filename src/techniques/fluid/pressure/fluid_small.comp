@@ -23,7 +23,8 @@ layout(push_constant, scalar) uniform Constants
     FluidSmall small;
 };
 
-const int all_cells = 2 * int(fluid_small_cells); // cells of all levels together, for any shape of grid
+// Cells of all multigrid levels together, for any shape of grid.
+const int all_cells = 2 * int(fluid_small_cells);
 const int thread_count = 256;
 
 shared float cell_pressure[all_cells];
@@ -70,7 +71,8 @@ int neighbour(Level level, ivec2 cell)
     return level.first + cell.y * level.size.x + cell.x;
 }
 
-// Openings of a cell's faces, and pressures of its neighbours: lower x, lower y, higher x, higher y.
+// Openings of a cell's faces, and pressures of the cell's neighbours, in the order lower x, lower y, higher
+// x, higher y.
 void look_around(Level level, ivec2 cell, out vec4 open, out vec4 pressures)
 {
     int right = neighbour(level, cell + ivec2(1, 0));
@@ -88,7 +90,7 @@ int is_at_seam(Level level, ivec2 cell, int axis)
     return wraps(axis) && (level.size[axis] & 1) == 1 && cell[axis] == level.size[axis] - 1 ? 1 : 0;
 }
 
-// Colour of a cell for Gauss-Seidel sweeps; no two neighbours have the same colour. Red and black alternate,
+// Colour of a cell for Gauss-Seidel sweeps; no two neighbours have equal colours. Red and black alternate,
 // and cells at periodic edges with an odd number of cells have extra colours.
 int color_of(Level level, ivec2 cell)
 {
@@ -131,7 +133,7 @@ vec2 nearness_at(Level level, ivec2 cell)
                 nearness(cell.y, level.size.y, level.number, int(small.height)));
 }
 
-// Computes the face weights and the summed residuals of the next coarser level.
+// Computes the face weights and the summed residuals of the next coarser multigrid level.
 void restrict_to(Level coarse, Level level)
 {
     for (int k = int(gl_LocalInvocationIndex); k < coarse.size.x * coarse.size.y; k += thread_count) {
@@ -173,7 +175,7 @@ bool is_closed_in(Level level, int k)
     return dot(open, vec4(1.0)) == 0.0;
 }
 
-// Subtracts the mean divergence of all cells, because no pressure could remove it.
+// Subtracts the mean divergence of all cells, because no pressure could remove the mean.
 void level_out(Level level)
 {
     int cell_count = level.size.x * level.size.y;

@@ -3,9 +3,9 @@
 #define ESTAMPE_FLUID_TILE
 
 // A tile of a multigrid level in shared memory, with a halo that shrinks by a cell with each sweep. Requires
-// `variant`, `tile`, a FluidTile, and texel buffers `divergence` and `weights`. The equation of a cell: the
-// sum over its neighbours of the pressure difference to the cell, times the opening of the face between, is
-// the cell's divergence.
+// `variant`, `tile`, a FluidTile, and texel buffers `divergence` and `weights`. The equation of a cell: sum
+// over the neighbours of (pressure difference to the cell times opening of the face between) = divergence of
+// the cell.
 
 const int fluid_region = int(fluid_tile + 2u * fluid_halo);
 const int fluid_region_cells = fluid_region * fluid_region;
@@ -29,7 +29,7 @@ ivec2 tile_origin()
     return ivec2(gl_WorkGroupID.xy) * int(fluid_tile);
 }
 
-// Cell of the level for slot `i` of the tile's region; x is negative if there is no such cell.
+// Cell of the multigrid level for slot `i` of the tile's region; x is negative if the slot has no cell.
 ivec2 cell_of_slot(int i)
 {
     ivec2 size = level_size();
@@ -71,8 +71,8 @@ float relaxed(vec4 open, vec4 neighbours, float own_divergence)
     return all_open > 0.0 ? (dot(open, neighbours) - own_divergence) / all_open : 0.0;
 }
 
-// Red-black Gauss-Seidel in a tile: updates all cells of one colour of a chess board, then those of the
-// other.
+// Red-black Gauss-Seidel in a tile: updates all cells of one chess board colour, then all cells of the other
+// colour.
 
 shared float tile_pressure[fluid_region_cells];
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of any multigrid level: openings of its faces towards lower x and lower y, as two half
-// floats. In the grid itself an opening is 1, or 0 at a wall or an obstacle. The opening of a coarser face is
-// half the sum of the openings that it covers, so that the Galerkin operator of aggregated cells equals that
-// of the coarser grid.
+// One thread per cell of any multigrid level: openings of the cell's faces towards lower x and lower y, as
+// two half floats. In the grid itself an opening is 1, or 0 at a wall or an obstacle. The opening of a
+// coarser face is half the sum of the finer openings that the face covers. So the Galerkin operator of
+// aggregated cells equals the operator of the coarser grid.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

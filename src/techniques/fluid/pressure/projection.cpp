@@ -204,7 +204,8 @@ std::vector<float> random_divergence(uint64_t count)
     return numbers;
 }
 
-/// Left side of the pressure equation: the sum over a cell's neighbours of their pressure minus the cell's.
+/// Left side of the pressure equation: the sum over a cell's neighbours of the neighbour's pressure minus the
+/// cell's pressure.
 double differences(const Grid& grid, std::span<const float> pressure, glm::ivec3 cell)
 {
     const glm::ivec3 size(grid.cells);

@@ -17,7 +17,7 @@ enum class Solver : uint8_t {
     jacobi,    ///< Jacobi's iteration: cheap, but leaves large-scale divergence
     multigrid, ///< multigrid with V(2,2) cycles
     spectral,  ///< direct solve by fast transforms; requires sizes that are powers of two and no obstacles
-    mass       ///< no solve: the fluid has a mass, advected both ways, and accelerates away from mass
+    mass       ///< no solve: the fluid has a mass, advected with both_ways, and accelerates away from mass
 };
 
 /// Name of a pressure solver: "jacobi", "multigrid", "spectral", "mass" or "automatic".
@@ -27,8 +27,9 @@ struct ProjectionStyle {
     Solver solver = Solver::automatic;
     uint32_t jacobi_rounds = 80;
     /// Number of projections per step. Each projection measures the remaining divergence and solves for a
-    /// pressure from zero, which reduces the rounding error of floats; more cycles of one solve would not. 0
-    /// selects the solver's default: 3 V-cycles in 2D, 2 in 3D, or one solve with another solver.
+    /// pressure from zero. So further projections reduce the rounding error of floats; further cycles of one
+    /// solve would not. 0 selects the solver's default: 3 V-cycles in 2D, 2 in 3D, or one solve with another
+    /// solver.
     uint32_t projections = 0;
 };
 
@@ -44,7 +45,7 @@ struct Projected {
 };
 
 /// Replaces Solver::automatic by the solver that is used for a grid. Throws std::logic_error if `solver`
-/// cannot solve it.
+/// cannot solve the pressure on the grid.
 [[nodiscard]] Solver solver_for(const Grid& grid, Solver solver, bool has_solids);
 
 /// Data of the pressure solvers that does not depend on the flow.
@@ -64,7 +65,7 @@ struct ProjectionInput {
     gpu::ImageId target; ///< overwritten with the projected velocity
 };
 
-/// Whether a graph pass with this name belongs to a projection; excludes the passes of add_weights().
+/// Whether a graph pass with the name `pass` belongs to a projection; excludes the passes of add_weights().
 [[nodiscard]] bool is_of_projection(std::string_view pass);
 
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,

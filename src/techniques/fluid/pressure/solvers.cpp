@@ -28,7 +28,7 @@ shared::FluidLevel coarser(const shared::FluidLevel& level)
             .first = level.first + cell_count(level)};
 }
 
-/// Number of multigrid levels from this one down to four cells or fewer.
+/// Number of multigrid levels from `level` down to a level of four cells or fewer.
 uint32_t small_levels_from(const shared::FluidLevel& level)
 {
     constexpr uint32_t few_cells = 4;
@@ -50,12 +50,12 @@ std::vector<shared::FluidLevel> levels_of(const Grid& grid)
     return levels;
 }
 
-// Geometric multigrid with aggregated cells: the pressure of a coarse cell is added to its four cells
-// unchanged, and their residuals are summed. Each level is smoothed by two red-black sweeps before and two
-// after the coarser levels. The way down and the way up of a level are one pass each, which works in tiles;
-// all small levels together are one pass. Source: Trottenberg, Oosterlee and Schüller, "Multigrid", 2001; on
-// over-correction of aggregates, Braess, "Towards algebraic multigrid for elliptic problems of second order",
-// Computing 55, 1995.
+// Geometric multigrid with aggregated cells: the pressure of a coarse cell is added unchanged to the four
+// finer cells, and the residuals of the four cells are summed. Each level is smoothed by two red-black sweeps
+// before and two sweeps after the coarser levels. On each large level, the way down is one pass and the way
+// up is one pass; both work in tiles. All small levels together are one pass. Source: Trottenberg, Oosterlee
+// and Schüller, "Multigrid", 2001; on over-correction of aggregates, Braess, "Towards algebraic multigrid for
+// elliptic problems of second order", Computing 55, 1995.
 
 namespace {
 
@@ -314,8 +314,8 @@ public:
     {
         const uint32_t length = grid_.cells[static_cast<int>(axis)];
         const auto pairs = static_cast<uint32_t>(grid_.cell_count() / length / 2);
-        // Most row pairs per workgroup: eight pairs side by side read 64 contiguous bytes; more would leave
-        // too few workgroups.
+        // Most row pairs per workgroup: eight pairs side by side read 64 contiguous bytes; more than eight
+        // pairs would leave too few workgroups.
         constexpr uint32_t most_at_once = 8;
         const uint32_t at_once =
             std::min(std::clamp(shared::fluid_transform_pairs / length, 1U, pairs), most_at_once);

@@ -11,8 +11,9 @@
 
 namespace estampe::fluid {
 
-/// The multigrid levels of a grid, finest first. Each level has half the cells of the previous one along each
-/// axis. The list ends with the first level that one workgroup can process together with all coarser levels.
+/// The multigrid levels of a grid, finest first. Along each axis, a level has half the number of cells of the
+/// previous level. The list ends with the first level that one workgroup can process together with all
+/// coarser levels.
 [[nodiscard]] std::vector<shared::FluidLevel> levels_of(const Grid& grid);
 
 [[nodiscard]] inline uint32_t cell_count(const shared::FluidLevel& level)
@@ -20,8 +21,8 @@ namespace estampe::fluid {
     return level.width * level.height;
 }
 
-/// The pressure equation: for each cell, the sum over its open faces of the neighbour's pressure minus the
-/// cell's own pressure equals the cell's outflow.
+/// The pressure equation: for each cell, sum over the open faces of (neighbour's pressure - cell's pressure)
+/// = outflow of the cell.
 struct Equation {
     gpu::BufferId divergence;
     Solids solids;
@@ -37,7 +38,7 @@ struct Equation {
 [[nodiscard]] gpu::BufferId add_volume_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
 [[nodiscard]] uint32_t passes_of_volume_cycle(const Grid& grid);
 
-/// Whether the spectral pressure solver can solve this grid: all sizes must be powers of two.
+/// Whether the spectral pressure solver can solve a grid: all sizes must be powers of two.
 [[nodiscard]] bool is_spectral_possible(const Grid& grid);
 
 /// Uploads cosines and sines for the transforms of a grid; a placeholder if the spectral solver is not

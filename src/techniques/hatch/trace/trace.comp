@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one pixel. It finds where the centre lines of strokes pass between the pixel and its
-// neighbours to the right and below, by marching squares with one level per line. Each crossing stores the
-// drawn width of the line. Where the surface ends between two pixels, both sides are extended by half a
-// pixel. The crossings are listed in any order.
+// One thread handles one pixel. The thread finds where the centre lines of strokes pass between the pixel and
+// the pixels to the right and below. The method is marching squares, with one contour value per line. Each
+// crossing stores the drawn width of the line. Where the surface ends between two pixels, both sides are
+// extended by half a pixel. The crossings are listed in any order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,14 +20,14 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform usampler2D normal_image;
 layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
-// For each pixel: the pixel whose strokes extend into it, see overrun.comp.
+// For each pixel: the pixel whose strokes extend into the first pixel, see overrun.comp.
 layout(binding = 5) uniform usampler2D source_image;
 // Packed direction towards the strongest local light; 0 for none.
 layout(binding = 6) uniform usampler2D strongest_image;
 
 layout(scalar, binding = 7) buffer Crossings
 {
-    uint crossing_count; // number of all crossings, including those for which the list has no room
+    uint crossing_count; // number of all crossings, including crossings for which the list has no room
     Crossing crossings[];
 };
 
@@ -84,9 +84,9 @@ void darkness_of_families(Spot spot, out float dark[most_families])
     }
 }
 
-// Maps the stroke coordinates of one pixel to those of its neighbour. Only strokes along the form (the
-// curvature of the surface) need this mapping: their coordinates are only defined up to whole numbers and
-// sign.
+// Maps the stroke coordinates of one pixel to the stroke coordinates of a neighbour. Only strokes along the
+// form (the curvature of the surface) need the mapping, because their coordinates are defined only up to
+// whole numbers and sign.
 struct Turn {
     float sign;
     vec3 shift;
@@ -109,7 +109,8 @@ bool goes_on(Spot a, Spot b, bool is_down, out Turn turn)
            dot(surprise, surprise) < allowed * allowed;
 }
 
-// Width in pixels of the line at the coordinate number / 2 * 2^level; 0 if the pixel does not draw this line.
+// Width in pixels of the line at the stroke coordinate number / 2 * 2^level, from the parameters `number` and
+// `level`; 0 if the pixel does not draw the line.
 float width_at(LineField field, HatchLineStyle style, DrawnLines drawn, float dark, int number, int level,
                uint identity)
 {

@@ -50,8 +50,8 @@ public:
         }
     }
 
-    /// Links the crossings of one line to strokes and appends the strokes to `strokes`. The crossings are
-    /// those from index `first` to before `last`.
+    /// Links the crossings of one line to strokes and appends the strokes to `strokes`. The line consists of
+    /// the crossings from index `first` to before index `last`.
     void add_line(size_t first, size_t last, std::vector<TracedStroke>& strokes)
     {
         corners_.clear();
@@ -151,8 +151,8 @@ private:
         }
     }
 
-    /// Removes points that are too close to the previous point of the stroke. Such points occur at corners of
-    /// the pixel grid. The direction between such points is unreliable.
+    /// Removes points that are too close to the previous point of the stroke. Points too close to each other
+    /// occur at corners of the pixel grid. The direction between two close points is unreliable.
     static void space_out(std::vector<TracedPoint>& points)
     {
         const TracedPoint last = points.back();

@@ -37,9 +37,9 @@ struct TracedStroke {
     std::vector<TracedPoint> points; ///< two or more points, about one pixel apart
 };
 
-/// Links the crossings of lines to strokes. Crossings on the border of the same square of four pixels are
-/// linked. The result does not depend on the order of the crossings. Cost: n log n in the number of
-/// crossings, about 1 us each.
+/// Links the crossings of lines to strokes. Crossings on the border of one square of four pixels are linked.
+/// The result does not depend on the order of the crossings. Cost: n log n in the number n of crossings,
+/// about 1 us each.
 [[nodiscard]] std::vector<TracedStroke> string_crossings(std::span<const shared::Crossing> crossings,
                                                          const glm::uvec2& size_px);
 

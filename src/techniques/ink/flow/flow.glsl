@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_INK_FLOW
 #define ESTAMPE_INK_FLOW
 
-// The flow of ink as stream functions, in square millimetres per second. The velocity is the curl, (d psi /
-// dy, -d psi / dx), so the flow has no divergence. y points down on the page.
+// The flow of ink as stream functions, in square millimetres per second. The velocity is the curl of the
+// stream function psi, (d psi / dy, -d psi / dx), so the flow has no divergence. The page coordinate y points
+// down.
 
 float wind_stream(vec2 place_mm, vec2 wind_mm_per_s)
 {
@@ -19,8 +20,8 @@ float wave_stream(vec2 wave, float amplitude, float phase, vec2 place_mm)
 }
 
 // Weight of a zone's own flow at a place. `square` is the squared distance of the place from the zone's
-// middle, divided by the squared distance from the middle to the edge. The weight is 1 up to half-way, 0
-// beyond the edge.
+// middle, divided by the squared distance from the middle to the edge. The weight of the zone's flow is 1 up
+// to half-way from the middle, and 0 beyond the zone's edge.
 float zone_share(float square)
 {
     return 1.0f - smoothstep(0.25f, 1.0f, square);

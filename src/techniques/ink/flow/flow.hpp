@@ -12,7 +12,7 @@
 
 namespace estampe::ink {
 
-/// One wave of the ink's stream function, and its motion.
+/// One wave of the ink's stream function, and the wave's motion.
 struct Wave {
     shared::InkWave wave;
     double phase = 0.0; ///< phase in turns at time 0
@@ -21,7 +21,7 @@ struct Wave {
 
 using Waves = std::array<Wave, shared::ink_wave_count>;
 
-/// Makes the waves of ink on the page. Their root mean square velocity is `swirl_mm_per_s`.
+/// Makes the waves of ink on the page. The root mean square velocity of the waves is `swirl_mm_per_s`.
 [[nodiscard]] Waves page_waves(const InkStyle& style);
 
 /// Makes the waves of ink on the unit sphere around the eye, where one radian spans `mm_per_rad` of the page.
@@ -37,13 +37,13 @@ using Waves = std::array<Wave, shared::ink_wave_count>;
 /// The style's wind that moves ink, in mm/s to the right and down.
 [[nodiscard]] glm::vec2 wind_mm_per_s(const InkStyle& style);
 
-/// Reads the velocities of a flow map picture, `shared::ink_map_side` each way, row by row: red is the speed
-/// to the right, green the speed down, and half of each channel is no flow. Throws Error naming the file if
-/// it is no picture.
+/// Reads the velocities of a flow map picture, `shared::ink_map_side` rows and columns, row by row. Red is
+///       the speed to the right, green the speed down; a channel's middle value means no flow. Throws Error
+///       with the file's name if the file is no picture.
 [[nodiscard]] std::vector<glm::vec2> read_flow(const std::string& path);
 
-/// Fits a stream function at the nodes of `velocities`, so that its flow on a page of `page_mm` is nearest to
-/// them. The divergent part of the velocities is lost. Cost: some milliseconds.
+/// Fits a stream function at the nodes of `velocities`, so that the function's flow on a page of `page_mm` is
+/// nearest to the velocities. The divergent part of the velocities is lost. Cost: some milliseconds.
 [[nodiscard]] std::vector<float> stream_of_flow(const std::vector<glm::vec2>& velocities, glm::vec2 page_mm);
 
 } // namespace estampe::ink

@@ -2,8 +2,9 @@
 #ifndef ESTAMPE_INK_SPLINE
 #define ESTAMPE_INK_SPLINE
 
-// Quadratic B-splines: weights of three nodes at a place `f` beyond the middle node, -0.5 to 0.5, and their
-// derivatives. The curl of a stream function interpolated with them is free of divergence.
+// Quadratic B-splines: weights of three nodes, and the weights' derivatives, at a place that lies `f` node
+// spacings (-0.5 to 0.5) beyond the middle node. The curl of a stream function interpolated with quadratic
+// B-splines is free of divergence.
 
 vec3 spline_values(float f)
 {

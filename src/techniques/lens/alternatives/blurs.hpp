@@ -16,8 +16,9 @@ namespace estampe::lens {
 [[nodiscard]] gpu::ImageId add_separable(gpu::Graph& graph, gpu::ImageId page,
                                          const shared::LensConstants& lens);
 
-/// Blurs the page by reading its mip levels: the level whose texels are as large as the blur circle, or the
-/// sum of all levels up to that level. Both modes blur across edges.
+/// Blurs the page by reading its mip levels: the mip level with texels as large as the blur circle, or the
+/// sum of all mip levels up to that level. The mode that reads one level and the mode that sums levels both
+/// blur across edges.
 ///
 /// Reads   `levels`: plain means of the page
 /// Returns rgba32ui: the blurred page

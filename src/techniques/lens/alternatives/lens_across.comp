@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread blurs one pixel horizontally or vertically by the pixel's own blur circle. Surfaces farther away
-// than the pixel are left out, so that they do not blur over nearer surfaces.
+// than the pixel are left out, so that far surfaces do not blur over nearer surfaces.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -31,8 +31,8 @@ void main()
         return;
     }
     LensTexel own = unpack_texel(texelFetch(page_image, pixel, 0));
-    // The weights are a Gaussian curve with the standard deviation of the blur circle. The curve is cut off
-    // where it falls to an eighth of its peak.
+    // The weights are a Gaussian curve with the standard deviation of the blur circle. The Gaussian curve is
+    // cut off where it falls to an eighth of the peak.
     float spread_px = 0.5 * abs(own.radius_px);
     float step_px = 2.0 * spread_px / float(taps_aside);
     LayerSample sum = no_sample;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs one pixel by reading mip levels of the page: either the one level whose texels are as
-// large as the pixel's blur circle, or the sum of all levels up to that one. The sum of all levels gives a
+// One thread blurs one pixel by reading mip levels of the page: either the one mip level with texels as large
+// as the pixel's blur circle, or the sum of all mip levels up to that level. The sum of mip levels gives a
 // rounder blur.
 #version 460
 #extension GL_GOOGLE_include_directive : require

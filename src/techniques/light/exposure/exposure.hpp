@@ -22,10 +22,10 @@ public:
     /// Discards the kept exposure. Call forget() before the next picture shows another scene.
     void forget() { time_s_.reset(); }
 
-    /// Scene time of the last picture; empty if its exposure was not metered by the page.
+    /// Scene time of the last picture; empty if the last picture's exposure was not metered by the page.
     [[nodiscard]] const std::optional<double>& time_s() const { return time_s_; }
 
-    /// Restores the exposure of a picture at scene time `time_s`, to continue from it.
+    /// Restores the exposure of a picture at scene time `time_s`, to continue from that exposure.
     void recall(gpu::Buffer state, double time_s)
     {
         state_ = std::move(state);
@@ -56,7 +56,7 @@ struct Exposed {
     gpu::BufferId state;
 };
 
-/// Scales the light so that its mean logarithm over the metered pixels becomes 0, the logarithm of 1.
+/// Scales the light so that the mean logarithm of the metered pixels' light becomes 0, the logarithm of 1.
 /// The metered pixels are the lit ones from the 70th to the 90th percentile of brightness. Without lit pixels
 /// the exposure stays.
 ///

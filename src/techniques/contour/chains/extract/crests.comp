@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one vertex of the terrain. The thread computes how steeply the ground falls along the
-// wind, minus half the slope of a slip face, and the vertex's position along the wind. A dune's brink (sharp
-// upper edge) lies where the first value rises through zero.
+// One thread handles one vertex of the terrain. The thread computes two values: how steeply the ground falls
+// along the wind, minus half the slope of a slip face (steep lee side); and the vertex's position along the
+// wind. A dune's brink (sharp upper edge) lies where the first value rises through zero.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

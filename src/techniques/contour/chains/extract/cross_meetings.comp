@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One thread tests one side of the page lattice (a grid of points on the page): do the two surfaces seen at
 // the ends of the side intersect in between? The shader extends each surface to a plane. The surfaces
-// intersect if each plane is the nearer one at its own end of the side. False lines beside an outline are
-// dropped later, in drop.comp.
+// intersect if each plane is nearer to the eye than the other plane at its own end of the side. False lines
+// beside an outline are dropped later, in drop.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -53,7 +53,7 @@ uint shell_of(uint triangle)
 }
 
 // Finds the crossing on the side from `pixel` in the direction `way`. If a pixel lies between the two ends of
-// the side, it replaces the end that shows the same shell (connected surface).
+// the side, the pixel replaces the end that shows the pixel's shell (connected surface).
 uint crossing_on(ivec2 pixel, ivec2 way)
 {
     uint from = seen_triangle(visibility_at(pixel));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One thread handles one point of the page lattice (a grid of points on the page) and its sides to the right
-// and downwards. The edge of the sun's shadow crosses a side if one end sees more than half of the sun and
-// the other end less. The visible share at a lattice point is the mean of 4 x 4 pixels around it, so that the
-// edge is smooth.
+// and downwards. The edge of the sun's shadow crosses a side if more than half of the sun is visible at one
+// end of the side and less than half at the other end. The visible share at a lattice point is the mean of 4
+// x 4 pixels around the point, so that the edge is smooth.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -38,7 +38,8 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
-// Smallest cosine of the angle between the normals at both ends of a side; larger bends have no shadow line.
+// Smallest cosine of the angle between the normals at both ends of a side; at a larger bend no shadow line is
+// drawn.
 const float least_cosine = 0.8;
 
 // The surface seen at one point of the page lattice (a grid of points on the page).

@@ -2,7 +2,7 @@
 // One thread makes one segment of the outline and finds the segment that follows it. Across a smooth edge,
 // the neighbouring triangle has the next segment. At a hard edge, the next segment runs along the edge. Where
 // the edge's segment ends at a corner, the next segment is found around the front-facing triangles that meet
-// there. Front-facing triangles lie on the left of the line.
+// at the corner. Front-facing triangles lie on the left of the line.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -73,7 +73,7 @@ uint segment_or_none(uint item, uint segment_count)
 }
 
 // The number of the loose edge (an edge without a crease or other fixed line) to which a triangle's side
-// belongs, or no_side if the side belongs to none.
+// belongs, or no_side if the side is no loose edge.
 uint loose_edge_at(uint triangle, uint corner)
 {
     return texelFetch(loose_edge_of_side_texels, int(3u * triangle + corner)).x;
@@ -90,7 +90,8 @@ uint segment_along(uint edge, uint segment_count)
 }
 
 // The outline segment that follows when the outline leaves a triangle through a side. If the surface is
-// smooth there, the neighbouring triangle has that segment; else it runs along the edge.
+// smooth at the side, the next segment lies in the neighbouring triangle; else the next segment runs along
+// the edge.
 uint segment_beyond(uint triangle, uint corner, uint segment_count)
 {
     uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
@@ -125,7 +126,7 @@ struct Crossing {
 };
 
 // The point where the outline crosses the side between two corners. Both triangles at the side compute
-// exactly the same point.
+// exactly equal points.
 Crossing crossing_of(Corner i, Corner j)
 {
     bool in_order = i.vertex < j.vertex;
@@ -138,7 +139,7 @@ Crossing crossing_of(Corner i, Corner j)
                     pack_normal(unit(mix(low.normal, high.normal, along))));
 }
 
-// How far the smooth surface with these vertex normals may bulge out of the flat triangle, in metres.
+// How far the smooth surface with a triangle's vertex normals may bulge out of the flat triangle, in metres.
 float bulge_of(Corner a, Corner b, Corner c)
 {
     float ab = size_of(a.position - b.position) * size_of(a.normal - b.normal);
@@ -154,8 +155,8 @@ Segment through_triangle(uint triangle, uint segment_count)
     Corner b = corner_at(corners.y);
     Corner c = corner_at(corners.z);
     bvec3 fronts = bvec3(a.facing >= 0.0, b.facing >= 0.0, c.facing >= 0.0);
-    // Two corners of the triangle face the eye and one does not, or the other way round. The outline crosses
-    // the two sides that meet at this lone corner.
+    // Of the triangle's three corners, one differs from the other two in whether it faces the eye. The
+    // outline crosses the two sides that meet at the corner that differs.
     uint lone = fronts.y == fronts.z ? 0u : fronts.x == fronts.z ? 1u : 2u;
     Corner apart = lone == 0u ? a : lone == 1u ? b : c;
     Corner after = lone == 0u ? b : lone == 1u ? c : a;
@@ -185,12 +186,13 @@ Segment through_triangle(uint triangle, uint segment_count)
 }
 
 // Finds the outline segment on an edge that continues at the end of a side of a front-facing triangle (or at
-// the start of the side, when `forwards` is false). Searches around all front-facing triangles at that point.
+// the start of the side, when `forwards` is false). Searches around all front-facing triangles at the end of
+// the side.
 uint outline_around(uint triangle, uint corner, bool forwards, uint segment_count)
 {
     for (uint i = 0u; i < most_triangles_at_a_point; ++i) {
-        // The corner numbers run forwards around the triangle if they are counter-clockwise seen from the
-        // front, else backwards.
+        // The corner numbers run forwards around the triangle if their order is counter-clockwise seen from
+        // the front, else backwards.
         bool step_on = is_reversed(triangle) != forwards;
         corner = step_on ? next_corner(corner) : next_corner(next_corner(corner));
         uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
@@ -210,7 +212,7 @@ uint outline_around(uint triangle, uint corner, bool forwards, uint segment_coun
     return no_segment;
 }
 
-// Whether an edge is concave, so that the front-facing surface hides the outline along this edge.
+// Whether an edge is concave, so that the front-facing surface hides the outline along the edge.
 bool is_hollow(uint front_side, uint back_side)
 {
     uvec4 corners = triangle_at(front_side >> 2);
@@ -243,7 +245,7 @@ Segment along_edge(uint edge, uint segment_count)
         Corner start = corner_at(corners[ends.x]);
         Corner finish = corner_at(corners[ends.y]);
         Crossing crossing = crossing_of(start, finish);
-        // Position of this end of the edge.
+        // Position of the edge's end number `end`.
         vec3 corner = end == 0 ? start.position : finish.position;
         uint packed = pack_normal(unit(start.normal + finish.normal + 1e-6 * way_to_eye(corner)));
         place[end] = Crossing(is_corner ? corner : crossing.position, is_corner ? packed : crossing.normal);

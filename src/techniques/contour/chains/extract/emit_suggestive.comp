@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread makes one segment of a suggestive contour or a crest, and finds the next segment in the adjacent
-// triangle. A line ends within a triangle where its strength becomes zero. The surface that looks concave
-// from the eye lies to the right of the line.
+// triangle. A line ends within a triangle where the line's strength becomes zero. The surface that looks
+// concave from the eye lies to the right of the line.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -56,8 +56,8 @@ End end_at(BendCrossing crossing)
                mix(unpack_normal(low.normal), unpack_normal(high.normal), crossing.share));
 }
 
-// The segment in the adjacent triangle, if the line has a positive strength at their common side and the
-// surface is smooth there.
+// The segment in the adjacent triangle, if the line has a positive strength at the triangles' common side and
+// the surface is smooth at that side.
 uint segment_beyond(uint triangle, uint corner, float strength, uint first_item, uint segment_count)
 {
     uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread compares one point of the page lattice (a grid of points on the page) with its neighbours to the
-// right and downwards. If a neighbour shows another shell (connected surface), the two may intersect in
-// between, so their side is listed.
+// right and downwards. If a neighbour shows another shell (connected surface), the two shells may intersect
+// in between, so the side between the two points is listed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -39,7 +39,7 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
 // The number of the shell (connected surface) that is seen at a point of the page lattice (a grid of points
-// on the page); 0 if nothing is seen there or the point lies outside of the page.
+// on the page); 0 if nothing is seen at the point or the point lies outside of the page.
 uint shell_at(uvec2 point)
 {
     ivec2 pixel = min(pixel_of_point(point), ivec2(frame.size_px) - 1);

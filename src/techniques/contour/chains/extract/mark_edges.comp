@@ -52,9 +52,10 @@ const bool along_edges = (variant & mark_along_edges) != 0u;
 
 #include "techniques/contour/chains/extract/triangle_sides.glsl"
 
-// An edge at which the shading breaks is part of the outline if the surface on one of its sides faces the eye
-// and the other surface does not. Each surface is tested with its own normals. Together, these edges and the
-// outlines through triangles enclose everything that faces the eye.
+// An edge at which the shading breaks is part of the outline if the surface on one side of the edge faces the
+// eye and the surface on the edge's other side does not. Each of the two surfaces is tested with the
+// surface's own normals. Together, the outline's edges and the outlines through triangles enclose everything
+// that faces the eye.
 
 // Position between two vertices of a side at which the surface turns away from the eye.
 float share_of_turn(PosedVertex from, PosedVertex to)
@@ -64,12 +65,12 @@ float share_of_turn(PosedVertex from, PosedVertex to)
     return s_from / (s_from - s_to);
 }
 
-// The part of an edge that is outline, as part_ bits. An edge counts as having no outline if only its two
-// ends would be outline but not its middle.
+// The part of an edge that is outline, as part_ bits. An edge has no outline if only the edge's two ends
+// would be outline but not the edge's middle.
 uint outline_part(uvec2 sides)
 {
     uvec2 ends = ends_of(sides.x);
-    uvec2 back_ends = ends_of(sides.y).yx; // corners of the back triangle at the same two positions
+    uvec2 back_ends = ends_of(sides.y).yx; // corners of the back triangle at the two ends of the edge
     uvec4 corners = triangle_at(sides.x >> 2);
     uvec4 back_corners = triangle_at(sides.y >> 2);
     bvec2 first = bvec2(is_front_at(sides.x >> 2, ends.x), is_front_at(sides.x >> 2, ends.y));

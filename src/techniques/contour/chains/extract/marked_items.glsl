@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_MARKED_ITEMS
 #define ESTAMPE_MARKED_ITEMS
 
-// Mark bits of the items (triangles, loose edges, cells) that contain a line segment, and prefix sums of
-// these bits by word. With both, a segment's item is found without a table. Requires before inclusion:
-// MARKS_BINDING, the binding of the mark words; the next binding holds the prefix sums.
+// Mark bits of the items (triangles, loose edges, cells) that contain a line segment, and prefix sums of the
+// mark bits by word. With the bits and their sums, a segment's item is found without a table. Requires before
+// inclusion: MARKS_BINDING, the binding of the mark words; the next binding holds the prefix sums.
 
 layout(binding = MARKS_BINDING) uniform usamplerBuffer mark_texels;
 layout(binding = MARKS_BINDING + 1) uniform usamplerBuffer marks_before_texels;

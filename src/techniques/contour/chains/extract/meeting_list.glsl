@@ -15,8 +15,8 @@ layout(scalar, binding = MEETINGS_BINDING) MEETINGS_ACCESS buffer Meetings
     uint meeting_rows;
     uint meeting_layers;
     uint meeting_count;
-    // Each entry: twice the index of a lattice point, plus 1 for its side downwards, plus 0 for its side to
-    // the right.
+    // Each entry: twice the index of a lattice point, plus 1 for the side down from the point, plus 0 for the
+    // side to the right.
     uint meeting_sides[];
 };
 

@@ -3,13 +3,13 @@
 #define ESTAMPE_PAGE_CELLS
 
 // The page lattice: a grid on the page with a point every cell_px pixels. A line may cross the side between
-// two neighbouring points; each point stores two words, for its sides to the right and downwards. The cell of
-// a point lies to its right and below. Points at the right and lower border of the page have no cell.
-// Requires before inclusion: `constants`, a CellConstants.
+// two neighbouring points; each point stores two words, for the sides from the point to the right and
+// downwards. The cell of a point lies to the right of and below the point. Points at the right and lower
+// border of the page have no cell. Requires before inclusion: `constants`, a CellConstants.
 
-// Where a line crosses a side of the lattice: the position along the side, which may be slightly beyond its
-// ends, and whether the tested quantity (for example the visible share of the sun) increases there along the
-// side.
+// Where a line crosses a side of the lattice: the position along the side, which may be slightly beyond the
+// side's ends. Also stores whether the tested quantity (for example the visible share of the sun) increases
+// along the side.
 struct Crossing {
     bool is_there;
     bool rises;
@@ -38,7 +38,7 @@ ivec2 pixel_of_point(uvec2 point)
 }
 
 // Integer division is slow on CPUs. The row is computed as a quotient of floats, which is wrong by at most
-// one, and then corrected.
+// one row, and then corrected.
 uvec2 point_of_cell(uint cell)
 {
     uint row = uint(float(cell) / float(constants.columns));

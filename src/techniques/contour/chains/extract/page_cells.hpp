@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lines that follow no edge of a mesh. They are found between the pixels of the page: where surfaces
+// Lines that follow no edge of a mesh. Such lines are found between the pixels of the page: where surfaces
 // intersect, and where shadows end.
 
 #include <vector>
@@ -19,16 +19,16 @@ struct ChainInputs;
 struct PageLines {
     gpu::BufferId crossings;
     uint32_t kind;
-    /// Index of the first word of mark bits (1: a line runs through) for the cells of these lines.
+    /// Index of the first word of mark bits (1: a line runs through) for the cells through which the lines
+    /// run.
     uint32_t first_word;
 };
 
 /// Number of words of mark bits (1: a line runs through) that one kind of line needs on a page of `size_px`.
 [[nodiscard]] uint32_t page_words(glm::uvec2 size_px);
 
-/// Finds lines of the kinds that `in` requests. Their mark bits (1: a line runs through) are stored kind
-/// after kind, from word
-/// `first_word` on.
+/// Finds lines of the kinds that `in` requests. The lines' mark bits (1: a line runs through) are stored kind
+/// after kind, from word `first_word` on.
 ///
 /// Cost    one thread for four pixels, per kind of line; for intersections, one more thread where two shells
 /// (connected surfaces) adjoin on the page
@@ -51,7 +51,8 @@ struct CellSegments {
     uint32_t word_count; ///< number of words of mark bits (1: a line runs through) in `marks`
 };
 
-/// Appends the segments of `lines` to the list of segments, and their ranks to the list of ranks.
+/// Appends the segments of `lines` to the list of segments, and the segments' ranks (states of pointer
+/// jumping) to the list of ranks.
 void add_cell_segments(gpu::Graph& graph, const ChainInputs& in, const PageLines& lines, CellSegments& list);
 
 } // namespace estampe::contour

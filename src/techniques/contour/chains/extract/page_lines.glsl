@@ -38,14 +38,16 @@ struct CellLine {
     uint to;
 };
 
-// The line through a cell that has exactly one entering and one leaving side. Other cells have no line.
+// The line through a cell that has exactly one entering and one leaving side. All cells without exactly one
+// entering and one leaving side have no line.
 CellLine line_through(uvec2 cell)
 {
     uvec2 here = crossing_words(cell);
     uvec4 sides =
         uvec4(here.x, crossing_words(cell + uvec2(1u, 0u)).y, crossing_words(cell + uvec2(0u, 1u)).x, here.y);
     uvec4 is_there = min(sides & crossing_is_there, uvec4(1u));
-    // The lower and the left side are stored in the opposite direction, so their bits are inverted.
+    // The lower and the left side of a cell are stored in the opposite direction, so the sides' direction
+    // bits are inverted.
     uvec4 is_rise = min(sides & crossing_rises, uvec4(1u)) ^ uvec4(0u, 0u, 1u, 1u);
     uvec4 rise = is_there & is_rise;
     uvec4 fall = is_there & ~is_rise;

@@ -12,8 +12,8 @@ struct Ray {
     vec3 way; // direction of the ray, not normalised; linear in page coordinates
 };
 
-// The ray through a position on the page. Its direction is scaled so that nearby and distant surfaces need no
-// large numbers.
+// The ray through a position on the page. The ray's direction is scaled so that nearby and distant surfaces
+// need no large numbers.
 Ray ray_at(vec2 place_px)
 {
     vec3 way = (frame.anchor_from_clip * vec4(ndc_at(place_px, frame.size_px), 0.0, 1.0)).xyz;

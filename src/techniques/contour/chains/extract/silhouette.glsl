@@ -3,7 +3,7 @@
 #define ESTAMPE_SILHOUETTE
 
 // Tells which surfaces face the eye. The results are `precise` (no fused multiply-add), because two shaders
-// must compute exactly the same values. Requires before inclusion: `frame`, a FrameGlobals.
+// must compute exactly equal values. Requires before inclusion: `frame`, a FrameGlobals.
 
 #include "shaders/scene.glsl.h"
 

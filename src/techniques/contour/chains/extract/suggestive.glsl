@@ -4,14 +4,14 @@
 
 // Finds where the radial curvature of a surface changes its sign, and where the terrain starts to fall
 // steeply along the wind. The results are `precise` (no fused multiply-add), because two shaders must compute
-// exactly the same values. Requires before inclusion: VIEW_BENDS_BINDING (two words per vertex, written by
+// exactly equal values. Requires before inclusion: VIEW_BENDS_BINDING (two words per vertex, written by
 // view_bends.comp and crests.comp) and `constants`, a ChainConstants.
 
 layout(binding = VIEW_BENDS_BINDING) uniform usamplerBuffer view_bend_texels;
 
 // Returns the radial curvature at a vertex, and the strength of a line, which must be positive. For terrain,
-// returns how steeply the ground falls along the wind, minus half the slope of a slip face, and the position
-// along the wind.
+// returns two values: how steeply the ground falls along the wind, minus half the slope of a slip face (steep
+// lee side); and the position along the wind.
 vec2 view_bend_at(uint vertex)
 {
     return uintBitsToFloat(texelFetch(view_bend_texels, int(vertex)).xy);
@@ -29,8 +29,8 @@ struct BendCrossing {
     float strength;
 };
 
-// The point between two vertices where the curvature is zero. Both triangles at the edge compute exactly the
-// same point.
+// The point between two vertices where the curvature is zero. Both triangles at the edge compute exactly
+// equal points.
 BendCrossing bend_crossing(uint i, uint j)
 {
     uint low = min(i, j);
@@ -48,8 +48,8 @@ BendCrossing bend_crossing(uint i, uint j)
     return BendCrossing(low, high, share, strength);
 }
 
-// The two sides of a triangle on which the curvature changes its sign. Each side is stored as the corner at
-// which it starts.
+// The two sides of a triangle on which the curvature changes its sign. Each side is stored as the number of
+// the corner at which the side starts.
 struct BendSides {
     uint down; // corner before the side on which curvature changes from positive to negative
     uint up;

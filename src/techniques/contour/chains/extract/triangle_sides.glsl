@@ -11,7 +11,7 @@ uint next_corner(uint corner)
     return corner == 2u ? 0u : corner + 1u;
 }
 
-// Whether the corners of a triangle are clockwise as seen from the front of its surface.
+// Whether the corners of a triangle are clockwise as seen from the front of the triangle's surface.
 bool is_reversed(uint triangle)
 {
     bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one vertex. It computes the radial curvature: the curvature of the curve in which the
-// plane through eye and normal cuts the surface. It also tests whether that curvature grows enough towards
-// the eye for a suggestive contour.
+// One thread handles one vertex. The thread computes the radial curvature: the curvature of the curve in
+// which the plane through eye and normal cuts the surface. The thread also tests whether the radial curvature
+// grows enough towards the eye for a suggestive contour.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

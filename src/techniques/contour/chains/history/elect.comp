@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread handles one sample of a stroke that continues a stroke of the previous frame. If the sample was
-// on that earlier stroke, the thread adds the sample's offset along the brush to the sum of the new stroke.
+// on the previous frame's stroke, the thread adds the sample's offset along the brush to the sum of the new
+// stroke.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

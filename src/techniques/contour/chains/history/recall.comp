@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds where one sample was in the previous frame, and which line in the same direction was drawn
-// there.
+// One thread finds where one sample was in the previous frame, and which line in the sample's direction was
+// drawn at that place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -64,8 +64,8 @@ void main()
                            : sample_at(index).page_px - sample_at(index - 1u).page_px;
         way *= inversesqrt(max(dot(way, way), 1e-20));
         uint stroke = strokes_before(goes_on ? index + 1u : index) - 1u;
-        // A stroke that is dropped in this frame may continue a stroke that was fading out in the previous
-        // frame. A drawn stroke continues only drawn strokes.
+        // A stroke that is dropped in the current frame may continue a stroke that was fading out in the
+        // previous frame. A drawn stroke continues only drawn strokes.
         bool is_dropped = (strokes[stroke].ends & stroke_is_dropped) != 0u;
         float arc = arc_from_start(index, strokes[stroke]);
         float whole = whole_length(index, strokes[stroke]);

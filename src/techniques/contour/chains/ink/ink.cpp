@@ -21,7 +21,7 @@
 namespace estampe::contour {
 namespace {
 
-/// Computes the next mip level: half as many columns and rows, but at least one of each.
+/// Computes the next mip level: half as many columns and rows, but at least one column and one row.
 std::vector<float> halved(const std::vector<float>& fine, size_t columns, size_t rows)
 {
     const size_t step_x = columns > 1 ? 2 : 1;
@@ -87,7 +87,7 @@ BrushImages upload_brushes(gpu::Device& device, const BrushSet& brushes)
 
 namespace {
 
-/// The inked pixels of a page, before they are converted to an ink layer.
+/// The inked pixels of a page, before the conversion to an ink layer.
 struct Inked {
     gpu::BufferId pixels; ///< one word per pixel: coverage and ink
     gpu::BufferId tiles;  ///< list of the tiles that have ink, see ink_tiles.glsl
@@ -123,7 +123,7 @@ shared::BrushConstants brush_constants(const ContourInputs& in, const ContourSty
     return constants;
 }
 
-/// Adds a pass that inks pieces of lines, each between two samples.
+/// Adds a pass that inks lines from sample to sample.
 void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
                 const HandDrawn& hand, const ContourStyle& style, Inked& inked)
 {
@@ -146,7 +146,7 @@ void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& 
     ink.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
 }
 
-/// Adds a pass that fills the outer sides of corners where two pieces of line meet.
+/// Adds a pass that fills the outer sides of corners where the lines before and after a sample meet.
 void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
                 const HandDrawn& hand, const ContourStyle& style, glm::uvec2 grid_page_px, Inked& inked)
 {
@@ -181,8 +181,8 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
     return inked;
 }
 
-/// Clears the ink layer: with a fill command on a CPU, with a dispatch on a GPU. Each is the faster way on
-/// its device.
+/// Clears the ink layer: with a fill command on a CPU, with a dispatch on a GPU. The fill command is faster
+/// on a CPU, the dispatch on a GPU.
 gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants,
                              const gpu::ExecutionProfile& execution)
 {

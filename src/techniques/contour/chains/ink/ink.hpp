@@ -18,14 +18,14 @@ namespace estampe::contour {
 /// direction, is at the top of the picture.
 struct BrushStrip {
     std::vector<float> ink; ///< brush_rows rows of brush_columns values: 0 is paper, 1 is full ink
-    float widths = 1.0F;    ///< length of the stroke, in multiples of its width
+    float widths = 1.0F;    ///< length of the stroke, in multiples of the stroke's width
 };
 
 /// The brush that each kind of line uses.
 struct BrushSet {
     std::vector<BrushStrip> strips;
-    /// Index into `strips` for each kind of line, and for hidden lines (shared::brush_hidden). A kind without
-    /// an index is drawn with the pen, as a plain line.
+    /// Index into `strips` for each kind of line, and for hidden lines (shared::brush_hidden). A kind of line
+    /// without an index is drawn with the pen, as a plain line.
     std::array<std::optional<uint32_t>, shared::brush_use_count> strip_of_use;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread inks one piece of a line between two samples with a brush (a picture that bends with the line).
-// Each piece covers the pixels between the two perpendiculars at its ends, so the picture continues from
-// piece to piece without a seam.
+// One thread inks the part of a line between two samples with a brush (a picture that bends with the line).
+// The part covers the pixels between the two perpendiculars at its ends, so the picture continues from part
+// to part without a seam.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -47,14 +47,13 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/contour/chains/ink/inked_pieces.glsl"
 
 const float most_taps = 4.0;
-// Smallest and largest factor by which a repeated brush may be stretched along a piece of line; 1 is
-// unstretched.
+// Smallest and largest factor by which a repeated brush may be stretched along a line; 1 is unstretched.
 const vec2 repeated_pace = vec2(0.5, 1.5);
 const vec2 stretched_pace = vec2(0.0, 8.0);
 
-// Filtered ink of a brush's picture. `place` is the position along and across the picture, as shares of its
-// length and width. `step` is the size of a pixel in the picture. Where a pixel is longer than wide in the
-// picture, several lookups along its length are averaged.
+// Filtered ink of a brush's picture. `place` is the position along and across the picture, as shares of the
+// picture's length and width. `step` is the size of a pixel in the picture. Where a pixel is longer than wide
+// in the picture, several lookups along the pixel's length are averaged.
 float brush_ink(uint layer, vec2 place, vec2 step, bool repeats)
 {
     vec2 texels = max(step * vec2(brush_columns, brush_rows), vec2(1e-6));
@@ -82,7 +81,7 @@ End end_at(uint i)
     return End(line_points[i], touches[i], unpackHalf2x16(touches[i].way));
 }
 
-// Coverage of a pixel by the piece of line from `a` to `b`.
+// Coverage of a pixel by the line from the sample `a` to the sample `b`.
 float inked_by(vec2 pixel, End a, End b)
 {
     vec2 from_a = pixel - a.point.page_px;
@@ -93,8 +92,8 @@ float inked_by(vec2 pixel, End a, End b)
     float period_px = constants.period_px[use];
     uint layer = constants.layer_of_use[use];
     bool repeats = period_px > 0.0;
-    // The ends of a stroke are round if it is drawn with the pen or a repeated brush. The picture of a
-    // stretched brush has its own ends.
+    // The ends of a stroke are round if the stroke is drawn with the pen or a repeated brush. The picture of
+    // a stretched brush already contains the stroke's ends.
     bool has_cap = repeats || layer == no_brush;
     bool is_inside = (past_a >= 0.0 || (has_cap && (a.touch.uses & touch_is_start) != 0u)) &&
                      (before_b > 0.0 || (has_cap && (b.touch.uses & touch_is_end) != 0u));
@@ -108,7 +107,7 @@ float inked_by(vec2 pixel, End a, End b)
                                  max(half_width, 0.5);
         float length_px = b.touch.along_px - a.touch.along_px;
         float phase = b.touch.phase_px - a.touch.phase_px;
-        // Where two brushes meet within a piece of line, each brush continues at its own scale.
+        // Where two brushes meet between two samples, each of the two brushes continues at its own scale.
         vec2 same_brush = (repeats ? repeated_pace : stretched_pace) * length_px;
         phase = phase > same_brush.x && phase < same_brush.y ? phase : length_px;
         float beyond = min(past_a, 0.0) - min(before_b, 0.0);

@@ -53,7 +53,7 @@ void main()
     } else if (has_own_outlines && ink != 0u) {
         color = outline_color_of(ink - 1u);
     }
-    // Where other lines were inked before, the darker ink remains.
+    // Where earlier passes already inked lines, the darker ink remains.
     vec4 ink_before = imageLoad(ink_image, ivec2(pixel));
     float coverage = float(word >> 16) / 65535.0;
     imageStore(ink_image, ivec2(pixel), coverage >= ink_before.a ? vec4(sqrt(color), coverage) : ink_before);

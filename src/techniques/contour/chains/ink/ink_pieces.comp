@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread inks one piece of a line between two samples, with round ends and interpolated width. Where
-// lines cross, the darker ink remains.
+// One thread inks the part of a line between two samples, with round ends and interpolated width. Where lines
+// cross, the darker ink remains.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_INKED_PIECES
 #define ESTAMPE_INKED_PIECES
 
-// Functions shared by all shaders that ink pieces of lines. Requires before inclusion: ink_tiles.glsl, and
-// `constants` with the page's width.
+// Functions shared by all shaders that ink lines from sample to sample. Requires before inclusion:
+// ink_tiles.glsl, and `constants` with the page's width.
 
 const float widest_px = 96.0; // largest half width of a line, in pixels
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread fills the outer side of the corner at one sample, up to the point where the edges of both pieces
-// of line cross. The two pieces belong to one stroke, or to two strokes that end at the same place.
+// One thread fills the outer side of the corner at one sample, up to the point where the edges of the lines
+// before and after the sample cross. The two lines belong to one stroke, or to two strokes that end at one
+// place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -62,7 +63,7 @@ const float least_half_angle_sine = 0.25;
 // Corners that bend by less than ten degrees count as straight and are not filled.
 const float straight_cosine = -0.985;
 
-// The end of a line: its position, and its direction, which points out of the line.
+// The end of a line: the end's position, and the direction that points out of the line.
 struct End {
     LinePoint point;
     vec2 out_way;
@@ -90,7 +91,7 @@ End end_of_stroke(Stroke stroke)
     return end_of_piece(2u * stroke.last + 1u, 2u * stroke.last - 2u);
 }
 
-// The nearest other lines to the left and to the right of a line's end, as angles counter-clockwise from the
+// The two lines nearest to a line's end, to the left and to the right, as angles counter-clockwise from the
 // line.
 struct Around {
     End left;
@@ -115,8 +116,8 @@ void look_at(End other, End own, inout Around around)
     }
 }
 
-// Among the ends of other strokes at the place of `end`, finds the one that together with `end` encloses all
-// others. Finds none if lines leave in all directions.
+// Several strokes may end at the place of `end`. Finds the stroke end that, together with `end`, encloses all
+// ends at that place. Finds none if lines leave in all directions.
 End partner_of(End end, vec2 sample_px, uint own)
 {
     uvec2 size_px = constants.grid_page_px;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread stores one point of a feature line (a crease or other line fixed to the surface) at its place in
-// the list of chain points.
+// One thread stores one point of a feature line (a crease or other line fixed to the surface) at the point's
+// place in the list of chain points.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -55,7 +55,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool leave_edges = (variant & order_features_leave_edges) != 0u;
 
-// Normal of a triangle by the order of its corners, not normalised.
+// Normal of a triangle by the order of the triangle's corners, not normalised.
 vec3 triangle_normal(uint triangle)
 {
     uvec4 corners = triangle_at(triangle);

@@ -4,15 +4,15 @@
 
 #include "shaders/unit.glsl"
 
-// Projects a straight piece of line to the page and clips it to the page and the near plane. Requires before
-// inclusion: `frame`, a FrameGlobals.
+// Projects a straight line segment to the page and clips the segment to the page and the near plane. Requires
+// before inclusion: `frame`, a FrameGlobals.
 
 const float page_margin_px = 32.0;
 
 struct PagePiece {
     float from_w;
     float to_w;
-    vec2 kept; // start and end of the visible part, as shares of the piece; equal if nothing is left
+    vec2 kept; // start and end of the visible part, as shares of the segment; equal if nothing is left
     float length_px;
 };
 
@@ -22,8 +22,8 @@ vec2 page_position(vec4 clip)
 }
 
 // Clips the range `kept` to the part in which a value is not negative. The value changes linearly from `a` at
-// the start of the piece to `b` at its end. The code has no branches, because CPU drivers take longer to
-// compile them.
+// the start of the segment to `b` at the segment's end. The code has no branches, because CPU drivers compile
+// branches slowly.
 void keep_positive(float a, float b, inout vec2 kept)
 {
     float share = a / (a - b);
@@ -50,8 +50,8 @@ PagePiece piece_on_page(vec3 from, vec3 to)
                      is_kept ? length_px : 0.0);
 }
 
-// Converts a position along the clipped part on the page, in [0, 1], to a share of the whole piece in space,
-// in [0, 1].
+// Converts a position along the clipped part on the page, in [0, 1], to a share of the whole segment in
+// space.
 float share_at(PagePiece piece, float along)
 {
     float weight = along * piece.from_w;

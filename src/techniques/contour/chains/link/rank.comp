@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread advances one segment by one round of pointer jumping: each round looks four times as far along
-// the chain as the round before. The search stops at the end of an open chain. In a closed chain, it finds
-// the segment with the highest number, which then counts as the first segment.
+// the chain as the round before. The search stops at the end of an open chain. In a closed chain, the thread
+// finds the segment with the highest number, which then counts as the first segment.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one slot (entry of the list of chains). It stores the number of points of the chain if
-// its segment represents the chain: in an open chain the first segment, in a closed chain the one with the
-// highest number.
+// One thread handles one slot (entry of the list of chains). The thread stores the number of the chain's
+// points if its segment represents the chain. An open chain is represented by the first segment, a closed
+// chain by the segment with the highest number.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

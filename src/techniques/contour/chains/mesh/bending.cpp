@@ -19,7 +19,7 @@ namespace {
 // Radius within which curvature is smoothed, as a share of the object's size.
 constexpr float reach_share = 0.0075F;
 constexpr uint32_t most_rounds = 16;
-// Share by which each smoothing round moves a vertex's value towards the mean of its neighbours.
+// Share by which each smoothing round moves a vertex's value towards the mean of the neighbouring vertices.
 constexpr float mean_step = 0.85F;
 constexpr uint32_t change_rounds = 2;
 
@@ -35,8 +35,9 @@ struct Face {
     float area = 0.0F;
 };
 
-/// Rotates one tangent frame by the shortest rotation that takes its normal to the normal of another frame.
-/// Returns the rotated x axis in coordinates of the other frame, or nothing if the two normals are opposite.
+/// Rotates a first tangent frame by the shortest rotation that takes the frame's normal to the normal of a
+/// second frame. Returns the first frame's x axis, rotated, in coordinates of the second frame; or nothing if
+/// the two normals are opposite.
 std::optional<glm::vec2> turn_between(const Frame& from, const Frame& to)
 {
     const float cosine = glm::dot(from.normal, to.normal);
@@ -158,8 +159,8 @@ private:
     {
         glm::dvec3 sum(0.0);
         for (const uint32_t corner : corners_at(v)) {
-            // The normal of each triangle is weighted by the angle between its sides and by their lengths:
-            // exact on a sphere (Max 1999).
+            // The normal of each triangle is weighted by the angle between the triangle's sides and by the
+            // sides' lengths. The resulting vertex normal is exact on a sphere (Max 1999).
             const glm::dvec3 a(place(corner >> 2U, (corner & 3U) + 1) - place(corner >> 2U, corner & 3U));
             const glm::dvec3 b(place(corner >> 2U, (corner & 3U) + 2) - place(corner >> 2U, corner & 3U));
             const double lengths = glm::dot(a, a) * glm::dot(b, b);
@@ -193,8 +194,8 @@ private:
                has_frame(vertex(t, 2));
     }
 
-    /// The second fundamental form of a triangle, from the differences of the normals at the ends of its
-    /// sides.
+    /// The second fundamental form of a triangle, from the differences of the normals at the ends of the
+    /// triangle's sides.
     [[nodiscard]] glm::vec3 form_of_face(size_t t) const
     {
         if (!is_usable(t)) {
@@ -354,12 +355,12 @@ private:
     std::span<const glm::uvec4> triangles_;
     std::vector<Bending> bendings_;
     std::vector<Face> faces_;
-    /// For each vertex: index in `corners_` of its first triangle corner.
+    /// For each vertex: index in `corners_` of the vertex's first triangle corner.
     std::vector<uint32_t> first_corner_;
     std::vector<uint32_t> corners_; ///< triangle corners, sorted by vertex: triangle << 2 | corner
 };
 
-/// Converts a curvature to the frame of its vertex whose x axis is `tangent`.
+/// Converts a curvature at a vertex to the coordinate frame with the x axis `tangent`.
 Bending with_tangent(const Bending& bending, const glm::vec3& tangent)
 {
     const glm::vec3 third = glm::cross(bending.normal, tangent);

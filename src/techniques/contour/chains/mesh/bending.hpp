@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Curvature and its derivative at each vertex of an edge mesh. Suggestive contours are computed from both:
-// lines where a surface would turn away if the eye moved a little.
+// Curvature, and the derivative of curvature, at each vertex of an edge mesh. Suggestive contours are
+// computed from both: lines where a surface would turn away if the eye moved a little.
 
 #include <cstdint>
 #include <span>
@@ -16,8 +16,8 @@
 
 namespace estampe::contour {
 
-/// Curvature of the surface at a vertex. The axes of its frame are the tangent, cross(normal, tangent) and
-/// the normal.
+/// Curvature of the surface at a vertex. The axes of the curvature's coordinate frame are the tangent,
+/// cross(normal, tangent) and the normal.
 struct Bending {
     /// Unit vector, points outwards; zero if all triangles at the vertex have no area.
     glm::vec3 normal{0.0F};
@@ -30,17 +30,17 @@ struct Bending {
 struct RestSurface {
     const EdgeMesh& mesh;
     std::span<const glm::vec3> positions; ///< position of each vertex
-    /// For each vertex: size of the object to which it belongs; 0 if the object has no lines.
+    /// For each vertex: size of the object to which the vertex belongs; 0 if the object has no lines.
     std::span<const float> sizes;
-    /// For each triangle: 1 if its corners are clockwise as seen from outside.
+    /// For each triangle: 1 if the triangle's corners are clockwise as seen from outside.
     std::span<const uint8_t> runs_clockwise;
 };
 
 /// Computes the curvature at each vertex. Normals come from the triangles around the vertex. The second
 /// fundamental forms are fitted by least squares to the differences of normals along the sides of triangles,
-/// and smoothed over about 1/130 of the object's size. Derivatives are fitted in the same way to the
-/// differences of forms. Values never pass edges where the shading breaks, so flat-shaded surfaces have no
-/// curvature.
+/// and smoothed over about 1/130 of the object's size. Derivatives are fitted by least squares to the
+/// differences of second fundamental forms. Values never pass edges where the shading breaks, so flat-shaded
+/// surfaces have no curvature.
 ///
 /// Cost    linear; about 6 us of CPU time per triangle, shared by all threads
 /// Source  Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004
@@ -72,7 +72,7 @@ struct SuggestiveCut {
                                                                  std::span<const Bending> bendings);
 
 /// Computes, for each vertex in the current view, the radial curvature and the strength that a suggestive
-/// contour would have where this curvature is zero.
+/// contour would have where the radial curvature is zero.
 ///
 /// Cost    one thread per vertex
 /// Source  DeCarlo, Finkelstein, Rusinkiewicz and Santella, "Suggestive Contours for Conveying Shape", 2003

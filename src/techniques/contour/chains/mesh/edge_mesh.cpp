@@ -17,7 +17,8 @@
 namespace estampe::contour {
 namespace {
 
-/// Input of the welding (merging vertices at the same position). The members are those of TriangleSoup.
+/// Input of the welding (merging vertices at the same position). The members of WeldInput have the meaning of
+/// the members of TriangleSoup.
 struct WeldInput {
     std::span<const glm::uvec4> triangles;
     std::span<const glm::vec3> positions;
@@ -28,11 +29,11 @@ struct WeldInput {
     std::span<const uint32_t> body_of_vertex;
 };
 
-// Size of a search cell, in multiples of the welding tolerance. With this size, few vertices need a search in
-// a second cell, and few vertices share a cell.
+// Size of a search cell, in multiples of the welding tolerance. With cells of 64 tolerances, few vertices
+// need a search in a second cell, and few vertices share a cell.
 constexpr float cell_tolerances = 64.0F;
-// Two vertices at one position are not welded if joints move them further apart than this share of the body's
-// size.
+// Two vertices at one position are not welded if joints move the two vertices further apart than most_apart,
+// a share of the body's size.
 constexpr float most_apart = 1e-3F;
 constexpr float share_of_edge = 0.1F;
 
@@ -138,8 +139,8 @@ private:
         return h & (slots_.size() - 1);
     }
 
-    /// Returns a vertex of the cell at the same position as `v`, or no_side. If there is none, `slot` becomes
-    /// the first free slot of the hash table.
+    /// Returns a vertex of the cell at the same position as `v`, or no_side. If the cell has no such vertex,
+    /// `slot` becomes the first free slot of the hash table.
     [[nodiscard]] uint32_t look_in(const glm::ivec3& cell, uint32_t v, const Body& body, size_t& slot) const
     {
         for (slot = slot_of(in_.body_of_vertex[v], cell); slots_[slot] != no_side;
@@ -159,8 +160,8 @@ private:
         const glm::ivec3 cell(place);
         size_t free_slot = 0;
         uint32_t found = look_in(cell, v, body, free_slot);
-        // On each axis: the neighbouring cell (-1 or 1) that may also contain a vertex at this position, or
-        // 0.
+        // On each axis: the neighbouring cell (-1 or 1) that may also contain a vertex at the position of
+        // `v`, or 0.
         glm::ivec3 beside(0);
         const glm::vec3 within = place - glm::vec3(cell);
         constexpr float margin = 1.0F / cell_tolerances;
@@ -183,7 +184,8 @@ private:
 
     const WeldInput& in_;
     std::vector<Body> bodies_;
-    std::vector<float> shortest_squared_; ///< for each vertex: squared length of its shortest edge
+    /// For each vertex: squared length of the shortest edge at the vertex.
+    std::vector<float> shortest_squared_;
     std::vector<uint32_t> slots_;
 };
 
@@ -194,9 +196,9 @@ std::vector<uint32_t> weld_vertices(const WeldInput& input)
     return Welder(input).run();
 }
 
-// Cosine of half a degree: normals that differ by less count as equal.
+// Cosine of half a degree: normals that differ by less than half a degree count as equal.
 constexpr float same_normal_cosine = 0.99996F;
-// Cosine of 9.87 degrees, which is less than least_fold_deg: such an edge is no fold.
+// Cosine of 9.87 degrees, which is less than least_fold_deg: an edge with a smaller fold angle is no fold.
 constexpr float flat_cosine = 0.9852F;
 
 uint32_t next(uint32_t corner)
@@ -230,7 +232,7 @@ private:
         bool goes_up = true;
     };
 
-    /// Finds for each vertex its point (the first vertex at the same position), and the first vertex with the
+    /// Finds for each vertex the point (the first vertex at the same position), and the first vertex with the
     /// same position and normal.
     void weld()
     {
@@ -289,7 +291,7 @@ private:
                point(t, 2) != point(t, 0);
     }
 
-    /// Lists the sides of all triangles, sorted by the lower of their two points.
+    /// Lists the sides of all triangles, sorted by the lower-numbered of each side's two points.
     void list_sides()
     {
         first_side_.assign(soup_.positions.size() + 1, 0);
@@ -329,7 +331,7 @@ private:
         }
     }
 
-    /// Adds an edge to the mesh. `around` contains all triangle sides that lie on this edge.
+    /// Adds an edge to the mesh. `around` contains all triangle sides that lie on the edge.
     void add_edge(std::span<const Side> around)
     {
         const EdgeMark mark = mark_of(around);
@@ -382,7 +384,7 @@ private:
         const glm::vec3 normal_b = normal(b.side >> 2U) * (a.goes_up == b.goes_up ? -1.0F : 1.0F);
         const float cosine = glm::dot(normal(a.side >> 2U), normal_b);
         const bool is_boundary = soup_.materials[a.side >> 2U] != soup_.materials[b.side >> 2U];
-        // Most edges of a fine mesh are flat. Comparing cosines avoids computing the angle of these edges.
+        // Most edges of a fine mesh are flat. Comparing cosines avoids computing the angle of flat edges.
         const bool is_flat = cosine > flat_cosine && !is_boundary && mark != EdgeMark::marked;
         const float fold_deg = is_flat ? 0.0F : glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F)));
         if (is_boundary || fold_deg > least_fold_deg || mark == EdgeMark::marked) {
@@ -398,7 +400,8 @@ private:
         }
     }
 
-    /// Whether two adjacent triangles have equal normals at both ends of their common edge.
+    /// Whether shading is smooth across an edge: two adjacent triangles have equal normals at both ends of
+    /// the edge.
     [[nodiscard]] bool shades_on(const Side& a, const Side& b) const
     {
         const auto vertex = [this](uint32_t side, uint32_t step) {
@@ -426,8 +429,8 @@ private:
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
 
-    /// How well the vertex normals of a triangle agree with its winding, weighted by area. Negative if they
-    /// disagree.
+    /// How well the vertex normals of a triangle agree with the triangle's winding, weighted by area. The
+    /// value is negative if normals and winding disagree.
     [[nodiscard]] float agreement(uint32_t t) const
     {
         const glm::uvec4& corners = mesh_.triangles[t];
@@ -437,9 +440,10 @@ private:
         return sense * glm::dot(area_normal(t, soup_.mesh_positions), mean);
     }
 
-    /// Visits all triangles that have lines, piece by piece. A piece (connected triangles) continues from
-    /// triangle t across side k to an unvisited triangle if `crosses(t, k)` is true. After each piece, calls
-    /// `ends(piece, agrees)`. `agrees` says how well the vertex normals of the piece agree with its winding.
+    /// Visits all triangles that have lines, one piece (connected triangles) after another. A piece continues
+    /// from triangle t across side k to an unvisited triangle if `crosses(t, k)` is true. After each piece,
+    /// calls `ends(piece, agrees)`. `agrees` says how well the vertex normals of the piece agree with the
+    /// piece's winding.
     template <class Crosses, class Ends>
     void flood(const Crosses& crosses, const Ends& ends)
     {
@@ -468,7 +472,7 @@ private:
     }
 
     /// Numbers the shells (connected surfaces). Flags triangles whose winding must be reversed, so that each
-    /// shell has one consistent winding that agrees with its normals.
+    /// shell (connected surface) has one consistent winding that agrees with the shell's normals.
     void find_shells()
     {
         const auto turn_alike = [this](uint32_t t, uint32_t k) {
@@ -518,7 +522,8 @@ private:
     std::vector<uint32_t> body_of_vertex_;
     /// For each vertex: the first vertex with the same position and normal.
     std::vector<uint32_t> stands_for_;
-    std::vector<uint32_t> first_side_; ///< for each vertex: index in `sides_` of the first side stored there
+    /// For each vertex: index in `sides_` of the first side stored at the vertex.
+    std::vector<uint32_t> first_side_;
     std::vector<Side> sides_;
     std::vector<Side> distinct_; ///< sides at the edge that is being added, without duplicate triangles
 };

@@ -82,7 +82,7 @@ private:
     struct Edge {
         uint32_t side = no_side;
         uint32_t kind = shared::line_crease;
-        uint32_t from = 0; ///< vertex at the start of the edge; `to` is the vertex at its end
+        uint32_t from = 0; ///< vertex at the start of the edge; `to` is the vertex at the edge's end
         uint32_t to = 0;
     };
 
@@ -91,13 +91,14 @@ private:
         return mesh_.triangles[side >> 2U][static_cast<int>(((side & 3U) + step) % 3)];
     }
 
-    /// The vertex at an end of an edge. The two ends of edge number e have the numbers 2 e and 2 e + 1.
+    /// The vertex at an end of an edge. The two ends of the edge with number e have the numbers 2 e and 2 e +
+    /// 1.
     [[nodiscard]] uint32_t vertex_at(uint32_t end) const
     {
         return (end & 1U) == 0 ? edges_[end / 2].from : edges_[end / 2].to;
     }
 
-    /// Direction from one end of an edge towards its other end.
+    /// Direction from the end `end` of an edge towards the edge's opposite end.
     [[nodiscard]] glm::vec3 inwards(uint32_t end) const
     {
         const glm::vec3 along = positions_[vertex_at(end ^ 1U)] - positions_[vertex_at(end)];
@@ -105,7 +106,7 @@ private:
         return length > 0.0F ? along / length : glm::vec3(0.0F);
     }
 
-    /// Pairs each end of an edge with the end of another edge where its line continues.
+    /// Pairs each end of an edge with the end of the edge on which the line continues.
     void join_ends()
     {
         partner_.assign(2 * edges_.size(), no_end);
@@ -141,8 +142,8 @@ private:
         }
     }
 
-    /// Follows linked edges from `end` until the line ends or returns to its start, and stores them as a
-    /// chain.
+    /// Follows linked edges from `end` until the line ends or returns to its start, and stores the linked
+    /// edges as a chain.
     void string_from(uint32_t end, bool is_closed)
     {
         const auto chain = static_cast<uint32_t>(result_.chains.size());
@@ -187,7 +188,7 @@ private:
     std::span<const glm::vec3> positions_;
     std::vector<Edge> edges_;
     std::vector<uint32_t> partner_; ///< for each end of an edge: the end with which it is paired
-    std::vector<bool> is_linked_;   ///< for each edge: it already belongs to a chain
+    std::vector<bool> is_linked_;   ///< for each edge: whether the edge already belongs to a chain
     FeatureChains result_;
 };
 
@@ -208,11 +209,12 @@ constexpr float least_share = 2.0F / 3.0F;
 constexpr float shortest_share = 1.0F / 30.0F;
 // Smallest ratio of the two principal curvatures at a ridge, so that near-spheres have no lines.
 constexpr float least_lead = 1.1F;
-constexpr float sharpness_reach = 0.01F; // a ridge's turn is measured over this share of the object's size
+// Length over which a ridge's turn is measured, as a share of the object's size.
+constexpr float sharpness_reach = 0.01F;
 
 /// Curvature at a vertex as seen by one kind of line: a ridge or a valley.
 struct Bend {
-    /// Turn of the surface in degrees over a hundredth of the object's size; 0 where no line of this kind can
+    /// Turn of the surface in degrees over a hundredth of the object's size; 0 where no line of the kind can
     /// run.
     float sharpness_deg = 0.0F;
     float growth = 0.0F; ///< change of the greatest curvature along `way`
@@ -221,7 +223,7 @@ struct Bend {
 
 /// A point where a ridge or valley crosses an edge of the mesh.
 struct Crossing {
-    uint32_t low = 0; ///< the vertex with the lower number; `high` is the other vertex of the edge
+    uint32_t low = 0; ///< the vertex with the lower number; `low` and `high` are the two vertices of the edge
     uint32_t high = 0;
     float share = 0.0F; ///< position of the crossing between the vertices `low` (0) and `high` (1)
     float sharpness_deg = 0.0F;
@@ -302,8 +304,8 @@ private:
         }
     }
 
-    /// Whether the greatest curvature has an extremum along its own direction between two vertices. If so,
-    /// stores the crossing.
+    /// Whether, between two vertices, the greatest principal curvature has an extremum along the curvature's
+    /// own direction. If so, stores the crossing.
     bool is_crossed(uint32_t low, uint32_t high)
     {
         const Bend& a = bends_[low];
@@ -445,7 +447,7 @@ private:
 };
 
 /// Marks the triangles that touch a line of another kind, a border or an edge where the shading breaks. No
-/// ridge or valley may cross these triangles.
+/// ridge or valley may cross the marked triangles.
 std::vector<bool> taken_triangles(const EdgeMesh& mesh, size_t vertex_count, const FeatureChains& features)
 {
     std::vector<bool> is_taken_point(vertex_count, false);

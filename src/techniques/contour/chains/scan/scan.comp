@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One workgroup computes the exclusive prefix sums of a list, with the total at the end. Each thread sums one
-// part of the list. These sums are scanned within subgroups, then across subgroups. Finally each thread walks
-// over its part again and writes the prefix sums.
+// part of the list. The sums of the parts are scanned within subgroups, then across subgroups. Finally each
+// thread reads its part of the list again and writes the prefix sums.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

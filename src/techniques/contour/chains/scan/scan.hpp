@@ -11,20 +11,20 @@ namespace estampe::contour {
 struct ScanInputs {
     gpu::BufferId sizes; ///< the length of each list, as one ListSize per list
     gpu::BufferId values;
-    bool sizes_are_new = false; ///< `sizes` has not been written yet in this frame
+    bool sizes_are_new = false; ///< the buffer `sizes` has not been written yet in the current frame
     uint32_t value_capacity = 0;
-    /// Uses many workgroups instead of one; faster on a GPU, where they run in parallel.
+    /// Uses many workgroups, not one workgroup; faster on a GPU, where workgroups run in parallel.
     bool is_spread = false;
     shared::ScanConstants constants;
 };
 
 struct Scanned {
     gpu::BufferId sizes;
-    gpu::BufferId before; ///< for each value: the sum of all values before it; the last entry is the total
+    gpu::BufferId before; ///< for each value: the sum of all earlier values; the last entry is the total
 };
 
-/// Returns the constants for summing the values of the list `values_of`. If `total_to` is a list, its length
-/// becomes the total, limited to `capacity`.
+/// Returns the constants for summing the values of the list `values_of`. If `total_to` is a list, the list's
+/// length becomes the total, limited to `capacity`.
 [[nodiscard]] inline shared::ScanConstants scan_of_list(uint32_t values_of, uint32_t total_to,
                                                         uint32_t capacity)
 {

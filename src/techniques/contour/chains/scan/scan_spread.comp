@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Each workgroup computes the exclusive prefix sums of one part of a list, in rounds of as many values as the
-// workgroup has threads. The last workgroup writes the total. The results equal those of scan.comp; this
-// shader is for GPUs, whose workgroups run in parallel.
+// Each workgroup computes the exclusive prefix sums of one part of a list, in rounds; each round processes
+// one value per thread of the workgroup. The last workgroup writes the total. The results equal the results
+// of scan.comp; scan_spread.comp is for GPUs, where workgroups run in parallel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

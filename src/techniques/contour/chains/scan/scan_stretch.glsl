@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_SCAN_STRETCH
 #define ESTAMPE_SCAN_STRETCH
 
-// The part of a list that one workgroup processes: the index of its first value, and the index after its last
-// value.
+// The part of a list that one workgroup processes: the index of the part's first value, and the index after
+// the part's last value.
 uvec2 stretch_of(uint part, uint count)
 {
     uint share = (count + scan_parts - 1u) / scan_parts;

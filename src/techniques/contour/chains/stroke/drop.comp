@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Four threads test one stroke. A short stroke that runs beside a longer one, such as the far side of a cusp,
-// is dropped. A stroke that was found on the page is also dropped, whatever its length, if it runs beside a
-// stroke of the mesh: where a box stands on the ground, the box's edge already has a line. The shader also
-// resets the data that strokes inherit from the previous frame.
+// Four threads test one stroke. A short stroke that runs beside a longer stroke is dropped, for example the
+// far side of a cusp. A stroke that was found on the page is also dropped if it runs beside a stroke of the
+// mesh, whatever the length. For example, where a box stands on the ground, the box's edge already has a
+// line. The shader also resets the data that strokes inherit from the previous frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -39,16 +39,16 @@ layout(push_constant, scalar) uniform Constants
 const float beside_px = 4.0;
 // Largest distance along a stroke between the tested place and the stroke's nearest sample.
 const float foot_px = 2.0;
-// A place closer than this to the other stroke's end does not lie beside that stroke.
+// A place closer than least_inside_px to the end of a stroke does not lie beside the stroke.
 const float least_inside_px = 0.5;
 const uint most_steps = 10u;
 // Smallest number of steps of a stroke found on the page; shorter strokes are specks.
 const uint least_page_steps = 3u;
-// A stroke is dropped if a larger share of its samples lies beside another stroke.
+// Largest share of a kept stroke's samples that may lie beside a second stroke.
 const float most_share = 0.5;
 
-// Whether a place lies beside the stroke of the sample `other`, and not before the start or after the end of
-// that stroke.
+// Whether a place lies beside the stroke `stroke` of the sample `other`: not before the stroke's start or
+// after its end.
 bool is_beside(vec2 here, uint other, Stroke stroke)
 {
     uint previous = max(other, stroke.first + 1u) - 1u;
@@ -83,7 +83,7 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
     return is_there;
 }
 
-shared uint beside[64]; // for each stroke: how many of its samples lie beside another stroke
+shared uint beside[64]; // for each stroke: how many of the stroke's samples lie beside a second stroke
 
 void main()
 {

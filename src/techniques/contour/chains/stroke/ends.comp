@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two threads test whether the ends of one stroke meet other lines. An end that meets a line is drawn up to
-// that line; only free ends taper.
+// Two threads test whether the ends of one stroke meet further lines. An end that meets a line is drawn up to
+// the line; only free ends taper.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -34,7 +34,8 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float meeting_px = 5.0;
-// Samples of the same stroke count as another line only if they are more than this many samples away.
+// A distant part of a stroke counts as a separate line from the stroke's end on if it is more than far_along
+// samples away.
 const uint far_along = 8u;
 
 bool is_dropped(uint other)

@@ -12,8 +12,8 @@
 namespace estampe::contour {
 namespace {
 
-// Largest length of a piece of line, in steps between samples. A longer piece leaves the page and returns, so
-// it is not drawn. The constant is equal in split.comp.
+// Largest length of a line from one sample to the next, in usual sample distances. A longer line leaves the
+// page and returns, so the line is not drawn. The constant is equal in split.comp.
 constexpr float most_stretch = 3.0F;
 
 bool has(const shared::LineSample& sample, uint32_t bit)
@@ -162,12 +162,12 @@ std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
 
 namespace {
 
-// Ends of lines that are no further apart than this, in pixels, count as one place. The constant is equal in
+// Largest distance, in pixels, between ends of lines that count as one place. The constant is equal in
 // joints.comp.
 constexpr float one_place_px = 1.5F;
 constexpr float cell_px = 4.0F;
 
-/// Number of an end of a path: path i starts at end 2 i and finishes at end 2 i + 1.
+/// Number of an end of a path: the path with number i starts at end 2 i and finishes at end 2 i + 1.
 using EndNumber = size_t;
 
 class Joiner {
@@ -234,8 +234,8 @@ private:
                             : points[points.size() - 2].page_px - points.back().page_px;
     }
 
-    /// Among the ends at the place of `own`, finds the end that together with `own` encloses all others.
-    /// Finds none if lines leave in all directions.
+    /// Among the ends at the place of `own`, finds the end that, together with `own`, encloses all ends at
+    /// the place. Finds none if lines leave in all directions.
     [[nodiscard]] std::optional<EndNumber> partner_of(EndNumber own) const
     {
         std::optional<EndNumber> left;

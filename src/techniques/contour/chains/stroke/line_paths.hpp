@@ -22,7 +22,7 @@ struct PathPoint {
 };
 
 struct LinePath {
-    uint32_t kind = shared::line_silhouette; ///< kind of line of most pieces of the path
+    uint32_t kind = shared::line_silhouette; ///< most frequent kind of line along the path
     uint32_t triangle = 0;                   ///< index of a triangle along which the line runs
     uint32_t ink = 0;                        ///< ink of the first LinePoint of the path; 0 for hidden lines
     bool is_hidden = false;
@@ -36,7 +36,8 @@ struct LineLists {
     std::span<const shared::LineSample> samples;
     /// For each slot (entry of the list of chains): number of line samples in all earlier slots.
     std::span<const uint32_t> samples_before;
-    std::span<const uint32_t> strokes_before; ///< for each sample: number of strokes that start before it
+    /// For each sample: number of strokes that start before the sample.
+    std::span<const uint32_t> strokes_before;
     std::span<const shared::LinePoint> points;
     std::span<const uint32_t> facing;
 };
@@ -51,9 +52,9 @@ using LineWidths = std::array<float, shared::line_kind_count>;
                                                const std::optional<LineWidths>& hidden_widths_px);
 
 /// Joins paths that end in a common corner, so that the corner can be mitred as in pictures. Among all ends
-/// at one place, joints.comp and this function join the two ends that enclose the others. The two paths must
-/// have equal ink, and widths that differ by less than a tenth. If joining closes a path, the path starts in
-/// the middle of a stroke. Cost: n log n in the number of paths.
+/// at one place, joints.comp and join_paths() join the two ends that enclose all ends at the place. The two
+/// paths must have equal ink, and widths that differ by less than a tenth. If joining closes a path, the path
+/// starts in the middle of a stroke. Cost: n log n in the number n of paths.
 [[nodiscard]] std::vector<LinePath> join_paths(std::vector<LinePath> paths);
 
 } // namespace estampe::contour

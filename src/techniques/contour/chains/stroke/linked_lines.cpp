@@ -36,7 +36,7 @@ void list_copies(const ChainStrokes& from, std::span<const HandDrawn> hands, Lin
     }
 }
 
-/// Shrinks the buffer of a list to its first `size_bytes` bytes.
+/// Shrinks the buffer of a list to the buffer's first `size_bytes` bytes.
 void shrink(gpu::Graph& graph, gpu::Device& device, gpu::Buffer& list, uint64_t size_bytes,
             std::vector<gpu::Buffer>& outgrown)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The lines of a whole page, linked and shaped once. They are kept for a page that is inked in parts: the
-// start, end, length and wobble of a stroke must not depend on the part.
+// The lines of a whole page, linked and shaped once. The lines are kept for a page that is inked in parts: no
+// stroke's start, end, length or wobble may depend on the part.
 
 #include <optional>
 #include <vector>
@@ -42,8 +42,8 @@ struct LinkedLines {
 void add_keeping(gpu::Graph& graph, gpu::Device& device, const ShapedStrokes& shaped, glm::uvec2 page_px,
                  LinkedLines& lines);
 
-/// Returns `lines` with buffers no larger than their contents. Call this function after the graph has run.
-/// Throws Error if there were more lines than the buffers could hold.
+/// Returns `lines` with buffers no larger than the buffers' contents. Call this function after the graph has
+/// run. Throws Error if there were more lines than the buffers could hold.
 [[nodiscard]] LinkedLines shrunk(gpu::Device& device, gpu::Executor& executor, LinkedLines lines);
 
 /// The part of a page to ink. One pixel of the page on which the lines were linked is `scale` pixels of the
@@ -56,7 +56,7 @@ struct PartOfPage {
 /// Returns the strokes in pixel coordinates of a part of the page.
 [[nodiscard]] ShapedStrokes take_part(gpu::Graph& graph, LinkedLines& lines, const PartOfPage& part);
 
-/// Draws lines that were linked before. Otherwise does the same as add_chain_contours().
+/// Draws lines that were linked before. Apart from linking, works like add_chain_contours().
 [[nodiscard]] gpu::ImageId add_linked_contours(gpu::Graph& graph, const ContourInputs& in, LinkedLines& lines,
                                                const PartOfPage& part, const ContourStyle& style,
                                                std::optional<gpu::ImageId> under = std::nullopt);

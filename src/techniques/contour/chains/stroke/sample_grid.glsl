@@ -4,7 +4,7 @@
 
 #include "shaders/loops.glsl"
 
-// The sample grid: it divides the page into cells of a few pixels. Each cell stores only the samples with the
+// The sample grid divides the page into cells of a few pixels. Each cell stores only the samples with the
 // lowest and the highest index, so at most two lines are found per cell. Requires before inclusion:
 // GRID_BINDING, GRID_ACCESS.
 

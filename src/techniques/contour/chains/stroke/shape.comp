@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two threads handle one sample of a stroke. One thread computes the pen's position and width for the start
-// of the piece of line after the sample, the other for the end of the piece before the sample. The results
-// differ where one stroke ends and the next starts.
+// Two threads handle one sample of a stroke. Both compute the pen's position and width: the first thread for
+// the start of the line to the next sample, the second for the end of the line from the previous sample. The
+// results differ where one stroke ends and the next starts.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -52,8 +52,8 @@ layout(binding = 8) uniform sampler2D light_image;
 
 layout(scalar, binding = 11) writeonly buffer LinePoints
 {
-    // Two LinePoints per sample: one for the start of the piece of line after the sample, one for the end of
-    // the piece before the sample.
+    // Two LinePoints per sample: one for the start of the line to the next sample, one for the end of the
+    // line from the previous sample.
     LinePoint line_points[];
 };
 
@@ -152,8 +152,8 @@ float width_at(uint index)
     return width;
 }
 
-// Mean width over a few samples of the stroke: the kind of line may change from edge to edge, but its width
-// should not jump.
+// Mean width over a few samples of the stroke: the kind of line may change from edge to edge, but the line's
+// width should not jump.
 float even_width(uint index, Stroke stroke)
 {
     uint from = max(index, stroke.first + 3u) - 3u;
@@ -165,8 +165,8 @@ float even_width(uint index, Stroke stroke)
     return sum / float(to - from + 1u);
 }
 
-// How tightly a stroke bends around a sample: 1 if the radius of the bend is `turn_px` or less, 0 if it is
-// straight.
+// How tightly a stroke bends around a sample: 1 if the bend's radius is `turn_px` or smaller, 0 if the stroke
+// is straight.
 float turn_at(uint index, Stroke stroke)
 {
     const uint reach = 5u;
@@ -225,16 +225,18 @@ float full_width(uint index, Stroke stroke, out uint ink)
 const float new_half_width_px = 0.15;
 const float least_change_px = 0.25;
 const float change_share = 0.08; // largest change of a line's width per frame, as a share of the full width
-// Largest length by which a stroke runs past its ends, as a share of the stroke's length.
+// Largest length by which a stroke overshoots at each end, as a share of the stroke's length.
 const float most_past = 0.12;
 
-// Position of a stroke's samples along its brush. The position follows the surface from frame to frame.
+// Position of a stroke's samples along the stroke's brush. The position follows the surface from frame to
+// frame.
 
 const int phase_reach = 6; // number of samples on either side over which offsets are averaged
-// Offsets that differ by less than this are averaged, because they belong to the same brush.
+// Offsets along the brush that differ by less than one_phase_px pixels are averaged, because such offsets
+// belong to one brush.
 const float one_phase_px = 3.0;
-// A brush that is stretched unevenly becomes even again only if its displacement is less than this share of
-// the stroke.
+// An unevenly stretched brush becomes even again only if its displacement is less than most_stretch, as a
+// share of the stroke's length.
 const float most_stretch = 0.2;
 const float most_settling_px = 0.15;
 // Range of the random position at which each stroke starts on a repeating brush.
@@ -248,9 +250,9 @@ bool has_past(uint index)
     return recalls[index].half_width_px >= 0.0;
 }
 
-// Returns a sample's position on the brush in the previous frame minus its current arc length. This offset
-// comes from the nearest sample that existed in the previous frame, preferably in the same stroke, and is
-// averaged with similar neighbours.
+// Returns a sample's position on the brush in the previous frame minus the sample's current arc length. The
+// offset comes from the nearest sample that existed in the previous frame, preferably in the same stroke, and
+// is averaged with similar neighbours.
 float recalled_offset(uint index, Stroke stroke, uint seed, float otherwise)
 {
     int nearest = 4 * phase_reach;
@@ -282,8 +284,9 @@ float offset_of(Stroke stroke)
 }
 
 // Position of a sample on a repeating brush, in pixels. From frame to frame, the position slowly moves
-// towards the one at which the brush is evenly spaced along the whole stroke. It stays as it is if the two
-// positions are far apart, because they then belong to different repeats or strokes.
+// towards the position at which the brush is evenly spaced along the whole stroke. The position stays as it
+// is if the evenly spaced position is far away, because the two positions then belong to different repeats or
+// strokes.
 float repeated_phase(uint index, Stroke stroke, uint seed)
 {
     float arc = arc_from_start(index, stroke);
@@ -300,9 +303,9 @@ float repeated_phase(uint index, Stroke stroke, uint seed)
 }
 
 // Position of a sample on a brush that stretches over the whole stroke. If the stroke was different in the
-// previous frame, the brush slides to its new position over several frames. The brush's ends stay near the
-// stroke's ends, even if the stroke grows fast. On a ring (closed stroke), the brush starts where it started
-// in the previous frame.
+// previous frame, the brush's position moves to the new position over several frames. The brush's ends stay
+// near the stroke's ends, even if the stroke grows fast. On a ring (closed stroke), the brush starts where
+// the brush started in the previous frame.
 float stretched_phase(uint index, Stroke stroke, uint seed)
 {
     float arc = arc_from_start(index, stroke);
@@ -329,8 +332,8 @@ LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
                      uses);
 }
 
-// Wobble of the simulated hand. The wobble depends only on the place in the scene. So it is equal in every
-// frame, lines that meet wobble together, and closed lines stay closed.
+// Wobble of the simulated hand. The wobble depends only on the place in the scene. So the wobble is equal in
+// every frame, lines that meet wobble together, and closed lines stay closed.
 
 float lattice_value(ivec3 cell, uint seed)
 {
@@ -352,8 +355,9 @@ float value_noise(vec3 p, uint seed)
     return mix(mix(near.x, near.y, f.x), mix(near.z, near.w, f.x), f.y);
 }
 
-// Noise in [-1, 1] whose features are about `wave_px` long on the page. It blends two noises whose feature
-// sizes, powers of two in the scene, are nearest to that length.
+// Noise in [-1, 1] whose features are about `wave_px` long on the page. The function blends two noises whose
+// feature sizes are powers of two in the scene. The two noises have the feature sizes that are nearest to the
+// wanted length.
 float stray_at(vec3 anchor, float wave_px, uint seed)
 {
     float octave = log2(max(wave_px * pixel_size_m(frame, anchor), 1e-20));
@@ -375,8 +379,8 @@ float sway_at(vec3 anchor, uint seed)
 // Random differences between strokes, and between the drawings of one stroke that is drawn several times.
 
 const float again_width = 0.85;
-// A noise decides where a line is drawn again. This is the noise's wavelength, as a multiple of the wobble's
-// wavelength.
+// A noise decides where a line is drawn again. The constant is the noise's wavelength, as a multiple of the
+// wobble's wavelength.
 const float again_wave = 7.0;
 
 uint hand_seed(uint what)
@@ -384,7 +388,8 @@ uint hand_seed(uint what)
     return hash(constants.seed, 16u * constants.hand + what);
 }
 
-// Distances by which a stroke extends past its start and past its end; negative values shorten the stroke.
+// Distances by which a stroke extends past the start and past the end of the line; negative values shorten
+// the stroke.
 vec2 ends_px(uint seed)
 {
     uint start = hash(seed, hand_seed(1u));
@@ -419,8 +424,8 @@ float stray_width(uint index, Stroke stroke, uint seed)
     return constants.hand > 0u ? share * again_width * smoothstep(-0.35, 0.1, again) : share;
 }
 
-// Factor on the width of a stroke at a sample: strokes taper towards free ends, over at most a third of the
-// stroke.
+// Factor on the width of a stroke at a sample: strokes taper towards free ends, over at most one third of the
+// stroke's length.
 float taper_at(uint index, Stroke stroke)
 {
     float whole = whole_length(index, stroke);
@@ -457,7 +462,8 @@ vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
     return page + aside * vec2(-way.y, way.x);
 }
 
-// Direction of the line on the page at a sample. A closed line continues from its end to its start.
+// Direction of the line on the page at a sample. A closed line continues from the end of the line to the
+// start.
 vec2 way_at(uint index, Stroke stroke)
 {
     bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread stores one sample at its place in its chain, after closed chains are cut open. The thread also
-// decides whether a piece of line follows the sample, and whether a stroke starts there.
+// One thread stores one sample at the sample's place in its chain, after closed chains are cut open. The
+// thread also decides whether a line runs on to the next sample, and whether a stroke starts at the sample.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -41,7 +41,7 @@ layout(scalar, binding = 6) writeonly buffer CutSamples
 
 layout(scalar, binding = 7) writeonly buffer Starts
 {
-    uint starts[]; // for each sample: 1 if a stroke starts there
+    uint starts[]; // for each sample: 1 if a stroke starts at the sample
 };
 
 #include "techniques/contour/chains/visibility/sample_list.glsl"
@@ -49,7 +49,8 @@ layout(scalar, binding = 7) writeonly buffer Starts
 layout(constant_id = 0) const uint variant = 0u;
 const bool wants_hidden = (variant & split_wants_hidden) != 0u;
 
-// A piece of line longer than this many steps leaves the page and returns, so it is not drawn.
+// Largest length of a line from one sample to the next, in usual sample distances. A longer line leaves the
+// page and returns, so the line is not drawn.
 const float most_stretch = 3.0;
 
 bool leads_on(ChainOfSamples chain, uint place)
@@ -84,7 +85,7 @@ void main()
     if (chain.is_closed && cut_place == chain.steps) {
         place = shift;
     }
-    // In a closed chain the last sample repeats the first. So every piece of line leads to the next sample in
+    // In a closed chain the last sample repeats the first. So every line segment leads to the next sample in
     // the list.
     bool is_last = cut_place == chain.steps;
     bool goes_on = !is_last && leads_on(chain, place);

@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_STROKE_PLACES
 #define ESTAMPE_STROKE_PLACES
 
-// Positions of samples along their strokes, and the sample in the middle of a stroke. Requires before
-// inclusion: SAMPLES_BINDING.
+// Positions of samples along strokes, and the sample in the middle of a stroke. Requires before inclusion:
+// SAMPLES_BINDING.
 
 #include "techniques/contour/chains/chains.glsl.h"
 
@@ -23,15 +23,15 @@ float whole_length(uint index, Stroke stroke)
     return spacing_px(index) * float(stroke.last - stroke.first);
 }
 
-// The sample that decides which stroke of the previous frame a stroke continues. It is the middle sample,
-// because near the ends other strokes may be closer.
+// The sample that decides which stroke of the previous frame a stroke continues. The sample is the middle
+// sample of the stroke, because near the stroke's ends a neighbouring stroke may be closer.
 uint middle_of(Stroke stroke)
 {
     return (stroke.first + stroke.last) / 2u;
 }
 
-// Distance of a sample from the middle of its stroke, in samples, combined with a bit that is different
-// before and after the middle.
+// Distance of a sample from the middle of the stroke, in samples. One bit tells whether the sample lies
+// before or after the middle.
 uint from_middle(uint index, Stroke stroke)
 {
     uint middle = middle_of(stroke);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes strokes from chains: places samples along each chain, tests their visibility, finds the strokes
-// between them, and shapes the strokes.
+// Makes strokes from chains: places samples along each chain, tests their visibility, finds the strokes of
+// visible samples, and shapes the strokes.
 #include <algorithm>
 
 #include "gpu/resources.hpp"
@@ -83,8 +83,8 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
 
 namespace {
 
-/// Enters samples into the sample grid, drops strokes that run beside a longer stroke, and finds out whether
-/// the ends of each stroke meet other lines.
+/// Enters samples into the sample grid, drops strokes that run beside a longer stroke, and finds the stroke
+/// ends that meet further lines.
 ChainStrokes find_ends(gpu::Graph& graph, ChainStrokes strokes, glm::uvec2 size_px)
 {
     const uint32_t cells = grid_cell_count(size_px);

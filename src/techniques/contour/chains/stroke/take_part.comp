@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread converts one LinePoint (a sample's position and width) from pixels of the whole page to pixels
-// of a part of the page that is drawn alone. Each sample has two LinePoints.
+// One thread converts one LinePoint (a sample's position and width) to the pixels of a separately drawn part
+// of the page. Each sample has two LinePoints.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread computes the number of even steps into which one chain is divided. In a closed chain, the last
-// sample is at the position of the first.
+// sample is at the position of the first sample.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

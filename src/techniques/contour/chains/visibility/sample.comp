@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread computes the position and visibility of one sample on a chain. The sample is hidden if a
-// triangle that is seen there lies between the eye and the sample. The test point lies slightly outside of
-// the sample's own surface, so that this surface never hides it.
+// triangle that is seen at the sample's pixels lies between the eye and the sample. The test point lies
+// slightly outside of the sample's own surface, so that the sample's own surface never hides the sample.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -53,8 +53,8 @@ layout(push_constant, scalar) uniform Constants
 const float outside_px = 0.75;
 const float tolerance_px = 0.05;
 
-// Finds the piece of a chain at the arc length `length`. Returns the last point before the chain's end whose
-// arc length is at most `length`.
+// Finds the chain point before the place with the arc length `length`. Returns the last point before the
+// chain's end whose arc length is at most `length`.
 uint piece_at(uint first, uint end, uint length)
 {
     uint low = first;
@@ -98,9 +98,9 @@ Cover cover_of(uint triangle, vec3 point, float tolerance_m)
     return Cover(is_over, !is_beside && clamp(crossing, nearest, farthest) < scale - tolerance_m);
 }
 
-// Whether a point is visible. Among the triangles seen around the point, one that covers the point decides.
-// If none covers it, because all triangles are smaller than a pixel, the triangles seen at three of four
-// pixels must hide it.
+// Whether a point is visible. Among the triangles seen around the point, a triangle that covers the point
+// decides. If no triangle covers the point, because all are smaller than a pixel, the point counts as hidden
+// if the triangles at three of four pixels hide it.
 bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
 {
     float pixel_m = pixel_size_m(frame, anchor);
@@ -119,7 +119,7 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
         Cover cover = cover_of(may_hide ? seen_triangle(word) : own, outside, tolerance_px * pixel_m);
         is_covered = is_covered || (may_hide && cover.is_over && cover.hides);
         is_free = is_free || (may_hide && cover.is_over && !cover.hides);
-        // The point is hidden if at least three of the four pixels around it hide it.
+        // The point is hidden if triangles at three or more of the four pixels around the point hide it.
         hiding += may_hide && cover.hides ? 1 : -3;
         pixel = next_cell(pixel, around);
     } while (pixel.y <= around.high.y);
@@ -146,8 +146,7 @@ void main()
     float along = float(length - lengths_before(at)) / max(length_unit_px * piece.length_px, 1e-6);
     float share = share_at(piece, clamp(along, 0.0, 1.0));
     vec3 anchor = mix(from.anchor, to.anchor, share);
-    // A piece of line within a triangle has interpolated normals; a piece along an edge has one constant
-    // normal.
+    // A line within a triangle has interpolated normals; a line along an edge has one constant normal.
     bool is_smooth = (from.source & 3u) == 3u;
     vec3 normal = unit(mix(unpack_normal(from.normal), unpack_normal(to.normal), is_smooth ? share : 0.0) +
                        1e-6 * towards_eye(frame, anchor));

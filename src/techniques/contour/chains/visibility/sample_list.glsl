@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_SAMPLE_LIST
 #define ESTAMPE_SAMPLE_LIST
 
-// Functions that read the line samples of a chain by their index in the chain.
+// Functions that read the line samples of a chain by the samples' index in the chain.
 
 struct ChainOfSamples {
     uint first;
@@ -10,8 +10,8 @@ struct ChainOfSamples {
     bool is_closed;
 };
 
-// Index in the sample list of sample number `place` of a chain. Numbers beyond the ends are clamped, or
-// wrapped around in a closed chain.
+// Index in the sample list of sample number `place` of a chain. Sample numbers beyond the chain's ends are
+// clamped; in a closed chain, the numbers wrap around.
 uint place_in(ChainOfSamples chain, int place)
 {
     int steps = int(chain.steps);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread decides the visibility of one sample by the majority of its neighbours. In a closed chain, it
-// also looks for a place to cut the chain open: at a hidden sample, or else at a corner.
+// One thread decides the visibility of one sample by the majority of the neighbouring samples. In a closed
+// chain, the thread also looks for a place to cut the chain open: at a hidden sample, or else at a corner.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One workgroup: sweeps the coarsest level of the 3D multigrid until the pressure has converged. Subtracts
-// the mean divergence of all cells first, because no pressure could remove it.
+// the mean divergence of all cells first, because no pressure could remove the mean.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of the coarser level of the 3D multigrid: the sum of the residuals of its eight cells
-// in the finer level.
+// One thread per cell of the coarser level of the 3D multigrid: the sum of the residuals of the cell's eight
+// cells in the next finer level.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread per cell of a level of the 3D multigrid: half a red-black sweep, which changes only the red or
-// only the black cells. The first half sweep starts from zero; the first half sweep on the way up adds the
-// coarser level's pressure.
+// only the black cells. On the way to coarser levels, the first half sweep starts from zero; on the way back,
+// the first half sweep adds the coarser level's pressure.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of any level of the 3D multigrid: openings of its faces towards lower x, y and z, as
-// three half floats. As in fluid_weights.comp, a coarser face is half the sum of the faces that it covers, or
-// more next to the last, narrower cell.
+// One thread per cell of any level of the 3D multigrid: openings of the cell's faces towards lower x, y and
+// z, as three half floats. As in fluid_weights.comp, the opening of a coarser face is half the sum of the
+// finer openings that the face covers, or more next to the last, narrower cell.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
