@@ -59,9 +59,10 @@ const style::Table<InkStyle>& ink_table()
             .number(
                 "turn_s", &InkStyle::turn_s, {0.1F, 1000.0F}, "s",
                 "Time in which a swirl of flowing ink changes into another: less is restless, more is calm")
-            .number("solved", &InkStyle::solved, {0.0F, 1.0F}, "",
-                    "How much simulated water moves flowing ink, in place of smooth artificial swirls. 0: only "
-                    "the swirls move ink; 1: only the water moves ink, with real eddies (whirls).")
+            .number(
+                "solved", &InkStyle::solved, {0.0F, 1.0F}, "",
+                "How much simulated water moves flowing ink, in place of smooth artificial swirls. 0: only "
+                "the swirls move ink; 1: only the water moves ink, with real eddies (whirls).")
             .choice("solver", &InkStyle::solver,
                     {{"automatic", Solver::automatic},
                      {"multigrid", Solver::multigrid},
