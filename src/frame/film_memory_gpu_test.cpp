@@ -99,6 +99,24 @@ Style coarse_smoke(const std::vector<std::string>& more)
     return style;
 }
 
+/// The mass of the air and of the water are part of the film's memory.
+TEST(FilmMemory, KeepsTheMassOfFluidsThatAreSolvedByIt)
+{
+    Renderer& renderer = test::shared_renderer();
+    const Scene scene = smoking_still_life();
+    renderer.set_scene(scene);
+    const Style style = coarse_smoke(
+        {"smoke.solver=mass", "ink.enabled=true", "ink.solved=1", "ink.solver=mass", "ink.age_s=0.5"});
+    static_cast<void>(frame(renderer, style, 0));
+    static_cast<void>(frame(renderer, style, 1));
+    const std::vector<std::byte> memory = renderer.film_memory();
+    const Image second = frame(renderer, style, 2);
+    renderer.set_scene(scene);
+    renderer.recall_film(memory);
+    EXPECT_EQ(renderer.film_memory(), memory);
+    EXPECT_TRUE(frame(renderer, style, 2) == second);
+}
+
 TEST(FilmMemory, KeepsHowFarSmokeIsBehindThatWasBegunWithinTheFilm)
 {
     Renderer& renderer = test::shared_renderer();

@@ -73,9 +73,10 @@ TEST(InkWater, StaysOnThePageAndFlowsAboutAsFastAsWhatStirsIt)
     }
 }
 
-TEST(InkWater, GoesOnFromWhatItWas)
+void expect_to_go_on_from_what_it_was(ink::Solver solver)
 {
-    const ink::InkStyle style = solved(1.0F);
+    ink::InkStyle style = solved(1.0F);
+    style.solver = solver;
     constexpr double gap_s = 1.0 / 24.0;
     const ink::Time next{.from_s = 1.0, .to_s = 1.0 + gap_s, .steps = 1, .is_fresh = false};
     InkWater water;
@@ -98,6 +99,25 @@ TEST(InkWater, GoesOnFromWhatItWas)
     EXPECT_EQ(stirred(other, style, next), after) << "to the bit from what was kept";
 }
 
+TEST(InkWater, GoesOnFromWhatItWas)
+{
+    expect_to_go_on_from_what_it_was(ink::Solver::automatic);
+    expect_to_go_on_from_what_it_was(ink::Solver::mass);
+}
+
+/// The mass solver leaves sound in the water, whose divergence a stream function cannot hold.
+TEST(InkWater, OfTheMassSolverStaysOnThePageToo)
+{
+    ink::InkStyle style = solved(1.0F);
+    style.solver = ink::Solver::mass;
+    const std::vector<float> stream = fresh(style);
+    for (uint32_t i = 0; i < water_side; ++i) {
+        EXPECT_NEAR(stream[i], 0.0F, 1e-3F);
+        EXPECT_NEAR(stream[(water_side - 1) * water_side + i], 0.0F, 1e-3F);
+    }
+    EXPECT_NEAR(rms(stream), style.swirl_mm_per_s, 0.4 * static_cast<double>(style.swirl_mm_per_s));
+}
+
 TEST(InkWater, IsSolvedAsTheStyleSays)
 {
     const auto left_by = [](ink::Solver solver, uint32_t passes) {
@@ -118,6 +138,7 @@ TEST(InkWater, IsSolvedAsTheStyleSays)
     EXPECT_EQ(rounds.solver, "jacobi");
     EXPECT_GT(rounds.divergence_left, 10.0 * usual.divergence_left);
     EXPECT_LT(left_by(ink::Solver::jacobi, 400).divergence_left, 0.8 * rounds.divergence_left);
+    EXPECT_EQ(left_by(ink::Solver::mass, 80).solver, "mass");
 }
 
 TEST(InkWater, ZonesStirIt)
