@@ -10,7 +10,7 @@
 #include "core/long_jobs.hpp"
 #include "features/cloth/moving_cloth.hpp"
 #include "features/common/view.hpp"
-#include "features/ink/flowing_ink.hpp"
+#include "features/ink/ink_zones.hpp"
 #include "features/terrain/ground_mesh.hpp"
 #include "scene/scene_limits.hpp"
 #include "scene/visibility.hpp"

@@ -35,31 +35,6 @@ namespace estampe::features {
 [[nodiscard]] std::vector<uint32_t> ink_mask(const pose::MeshData& meshes, const Scene& scene,
                                              std::string_view patterns, std::vector<std::string>& notes);
 
-/// The scene as it appears on the page, for placing ink zones.
-struct ZoneView {
-    const Scene& scene;
-    const ScenePose& pose;
-    glm::dvec3 anchor{0.0};
-    const shared::FrameGlobals& page;
-};
-
-/// Areas of the page in which objects (nodes) move flowing ink or emit it.
-struct InkZones {
-    std::vector<shared::InkZone> zones;
-    std::vector<float> shapes; ///< Shapes of the zones, see ink::Plan::zone_shapes
-};
-
-/// Finds the ink zones of the style: nodes whose names match an override by object of `ink.zone`. The zone of
-/// a node with a mesh is the area that the mesh at rest covers on the page. The zone of a node without a mesh
-/// is a disc, as large as a sphere of one metre radius in the node's space. A node behind the eye gets no
-/// zone. At most `most_ink_zones` zones are made, in the order of the overrides. Cost: linear in nodes times
-/// overrides, and in the triangles of the meshes.
-[[nodiscard]] InkZones ink_zones(const ZoneView& view, const StyleTables& style);
-
-/// One flag per node: whether the style makes the node an ink zone. Meshes of nodes that are ink zones are
-/// not drawn.
-[[nodiscard]] std::vector<bool> ink_zone_nodes(const Scene& scene, const StyleTables& style);
-
 /// The state of the ink's water at the end of a picture, for the next picture of a film.
 struct KeptWater {
     double time_s = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ink masks and ink zones of single objects, chosen by name.
 #include "features/ink/flowing_ink.hpp"
+#include "features/ink/ink_zones.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -69,8 +69,8 @@ const style::Table<InkStyle>& ink_table()
                      {"jacobi", Solver::jacobi},
                      {"mass", Solver::mass}},
                     "How the pressure of the water that moves ink is computed. multigrid: exactly; "
-                    "jacobi: simplest, least exact; mass: not at all, water flows away from where it is "
-                    "dense; automatic: multigrid. Needs ink.solved above 0.")
+                    "jacobi: simplest, least exact; mass: no pressure, water flows away from where it "
+                    "is dense; automatic: multigrid. Needs ink.solved above 0.")
             .integer("jacobi_passes", &InkStyle::jacobi_passes, {1, 400}, "",
                      "How often the simplest method (jacobi) repeats its computation of the water's "
                      "pressure. More lets the water that moves ink swirl more truly and is slower. Only used "
