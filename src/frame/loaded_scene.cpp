@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/loaded_scene.hpp"
 
+#include <algorithm>
 #include <future>
 #include <memory>
 #include <utility>
@@ -218,7 +219,9 @@ bool hide_ink_zones(gpu::Device& device, LoadedScene& loaded, const features::St
     for (size_t node = 0; node < wanted.size(); ++node) {
         wanted[node] = wanted[node] && loaded.scene.nodes[node].mesh != no_index;
     }
-    loaded.ink_zones.resize(wanted.size(), false);
+    if (std::ranges::find(wanted, true) == wanted.end()) {
+        wanted.clear();
+    }
     if (wanted == loaded.ink_zones) {
         return false;
     }

@@ -55,7 +55,8 @@ struct LoadedScene {
     std::unique_ptr<terrain::TerrainBuffers> terrain;
     /// Footprints in the terrain's sand; null if the scene has no terrain.
     std::unique_ptr<terrain::Footprints> footprints;
-    std::vector<bool> ink_zones; ///< one flag per node: its mesh is an ink zone and not in `layout`
+    std::vector<bool> ink_zones; ///< one flag per node: its mesh is an ink zone and not in `layout`; empty if
+                                 ///< there are none
     bool terrain_moved = false;  ///< the terrain's vertices on the device are out of date
     bool has_plain_links = true; ///< true if every object is lit and shadowed by all lights
     bool pose_moved = true;      ///< the posed vertices on the device are out of date

@@ -124,6 +124,9 @@ bool is_of_zone(const style::Override& change)
 
 std::vector<bool> ink_zone_nodes(const Scene& scene, const StyleTables& style)
 {
+    if (std::ranges::none_of(style.overrides, is_of_zone)) {
+        return {};
+    }
     std::vector<bool> are_zones(scene.nodes.size(), false);
     for (const style::Override& change : style.overrides) {
         for (size_t node = 0; is_of_zone(change) && node < scene.nodes.size(); ++node) {

@@ -37,8 +37,8 @@ struct InkZones {
 /// overrides, and in the triangles of the meshes.
 [[nodiscard]] InkZones ink_zones(const ZoneView& view, const StyleTables& style);
 
-/// One flag per node: whether the style makes the node an ink zone. Meshes of nodes that are ink zones are
-/// not drawn.
+/// One flag per node: whether the style makes the node an ink zone. Empty if the style makes no zones. Meshes
+/// of nodes that are ink zones are not drawn.
 [[nodiscard]] std::vector<bool> ink_zone_nodes(const Scene& scene, const StyleTables& style);
 
 } // namespace estampe::features
