@@ -43,8 +43,8 @@ const style::Table<SmokeStyle>& smoke_table()
                      {"multigrid", Solver::multigrid},
                      {"jacobi", Solver::jacobi},
                      {"mass", Solver::mass}},
-                    "How the pressure of the air in smoke is computed. spectral: exactly, without objects "
-                    "in the smoke; multigrid: around objects; jacobi: simplest, least exact; mass: no "
+                    "How the pressure of the air in smoke is computed. spectral: exactly, without "
+                    "objects; multigrid: around objects; jacobi: simplest, least exact; mass: no "
                     "pressure, air flows away from where it is dense; automatic: spectral or multigrid.")
             // Each round of Jacobi's iteration is one pass, or two passes in a step of advection-reflection.
             // A graph has room for 240 passes of smoke.
