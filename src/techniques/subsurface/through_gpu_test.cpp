@@ -203,8 +203,8 @@ TEST(Through, LiesBetweenItsNeighboursOnThePage)
                         {.enabled = true, .depth_m = 0.2F, .tint = glm::vec3(0.5F), .strength = 1.0F}, path);
         int count = 0;
         float most = 0.0F;
-        for (size_t i = 0; i < far.on_page.size(); ++i) {
-            const float light = far.on_page[i].x;
+        for (const glm::vec4& pixel : far.on_page) {
+            const float light = pixel.x;
             most = light == 0.0F ? most : std::max(most, std::abs(light - 0.5F));
             count += light > 0.0F ? 1 : 0;
         }
