@@ -161,8 +161,8 @@ BakeCommand BakeOptions::read() const
 
 namespace {
 
-/// Bakes until the lightmap is complete. Returns false when a signal stopped the work; the file `partial`
-/// then holds the progress.
+/// Bakes until the lightmap is complete. Returns false when a signal stopped the work. The file `partial`
+/// holds the progress of stopped work.
 bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
 {
     constexpr double look_s = 0.5;

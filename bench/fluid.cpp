@@ -19,6 +19,7 @@
 
 #include "common/command_line.hpp"
 #include "common/measuring.hpp"
+#include "fluid_measures.hpp"
 #include "gpu/resources.hpp"
 #include "gpu/transfers.hpp"
 #include "techniques/fluid/cavity.hpp"
@@ -116,35 +117,15 @@ std::vector<Case> cases()
              {}}};
 }
 
-double norm(std::span<const float> numbers)
-{
-    double sum = 0.0;
-    for (const float number : numbers) {
-        sum += static_cast<double>(number) * static_cast<double>(number);
-    }
-    return std::sqrt(sum);
-}
-
-double divergence_of(bench::Machine& machine, const fluid::Grid& grid, gpu::Graph& graph,
-                     gpu::ImageId velocity, const fluid::Solids& solids)
-{
-    const gpu::BufferId divergence = fluid::add_divergence(graph, grid, velocity, solids);
-    gpu::Buffer host(machine.device, "divergence", graph.describe(divergence).size_bytes,
-                     gpu::MemoryUse::readback);
-    gpu::add_read_back(graph, "divergence", divergence, host);
-    machine.executor.run(graph);
-    return norm(gpu::items_of<float>(host));
-}
-
 /// Ratio of the divergence after the next step's last projection to the divergence before the projection.
 double divergence_left(bench::Machine& machine, fluid::Fluid& flow, const fluid::FluidStyle& style)
 {
     gpu::Graph before;
     const fluid::FluidFields given = flow.add_steps(before, style, 1);
-    const double all = divergence_of(machine, flow.grid(), before, given.unprojected, given.solids);
+    const double all = bench::divergence_of(machine, flow.grid(), before, given.unprojected, given.solids);
     gpu::Graph after;
     const fluid::FluidFields left = flow.add_steps(after, style, 0);
-    return divergence_of(machine, flow.grid(), after, left.velocity, left.solids) / all;
+    return bench::divergence_of(machine, flow.grid(), after, left.velocity, left.solids) / all;
 }
 
 void measure_steps(bench::Machine& machine, const CostOptions& options, uint32_t side)
@@ -237,8 +218,8 @@ public:
     {
         gpu::Graph graph;
         const fluid::Solids solids{.cells = gpu::import_whole(graph, "solids", cells_)};
-        return divergence_of(machine_, grid_, graph,
-                             gpu::import_uploaded(graph, "velocity", images_[newest_]), solids);
+        return bench::divergence_of(machine_, grid_, graph,
+                                    gpu::import_uploaded(graph, "velocity", images_[newest_]), solids);
     }
 
 private:
@@ -414,12 +395,6 @@ fluid::Source fire()
     return source;
 }
 
-uint8_t gray_of(float density)
-{
-    const double light = std::exp(-2.0 * std::max(static_cast<double>(density), 0.0));
-    return static_cast<uint8_t>(std::lround(255.0 * std::pow(light, 1.0 / 2.2)));
-}
-
 void draw_smoke(const SmokeOptions& options)
 {
     bench::Machine machine(options.device);
@@ -444,133 +419,9 @@ void draw_smoke(const SmokeOptions& options)
         grid.cells.x, grid.cells.y,
         [&](uint32_t x, uint32_t y) {
             const uint32_t row = grid.cells.y - 1 - y; // the grid's y points up
-            return gray_of(density[row * grid.cells.x + x]);
+            return bench::gray_of(density[row * grid.cells.x + x]);
         },
         options.picture);
-}
-
-struct PuffOptions {
-    std::string device = "auto";
-    std::string picture = "puffs.png";
-    uint32_t width = 128;
-    double time_s = 2.5;
-};
-
-/// A warm puff near the floor of a closed room, 1 m wide and 2 m high.
-std::vector<float> puff(const fluid::Grid& grid)
-{
-    std::vector<float> quantities;
-    for (int channel = 0; channel < 2; ++channel) {
-        for (uint32_t y = 0; y < grid.cells.y; ++y) {
-            for (uint32_t x = 0; x < grid.cells.x; ++x) {
-                const glm::vec2 place = (glm::vec2(x, y) + 0.5F) * grid.cell_m;
-                quantities.push_back(glm::distance(place, {0.48F, 0.35F}) < 0.2F ? 1.0F : 0.0F);
-            }
-        }
-    }
-    return quantities;
-}
-
-struct PuffResult {
-    std::vector<float> density;
-    double step_ms = 0.0;    ///< median
-    double divergence = 0.0; ///< root mean square of the outflow of cells over that of the speeds
-    double gained = 0.0;     ///< share of the density
-};
-
-PuffResult risen_puff(bench::Machine& machine, const fluid::Grid& grid, const fluid::FluidStyle& style,
-                      double time_s)
-{
-    const std::vector<float> start = puff(grid);
-    fluid::Fluid air(machine.device, grid, 2, {}, start);
-    static_cast<void>(air.check_spectral(machine.device, machine.executor));
-    air.ensure_mass(machine.device, style);
-    const auto steps = static_cast<uint32_t>(time_s / static_cast<double>(style.step_s));
-    bench::Rounds rounds;
-    for (uint32_t i = 0; i < steps; ++i) {
-        gpu::Graph graph;
-        static_cast<void>(air.add_steps(graph, style, 1));
-        rounds.add(machine.run(graph));
-    }
-    const auto read = [&](bool is_density) {
-        gpu::Graph graph;
-        const fluid::FluidFields fields = air.add_steps(graph, style, 0);
-        return fluid::run_and_read(machine.device, machine.executor, graph,
-                                   is_density ? *fields.quantities : fields.velocity);
-    };
-    PuffResult result{.density = read(true), .step_ms = median_of(rounds.times_ms())};
-    gpu::Graph graph;
-    const fluid::FluidFields fields = air.add_steps(graph, style, 0);
-    // Each speed belongs to two cells: a cell's outflow is the sum of four speeds.
-    result.divergence =
-        divergence_of(machine, grid, graph, fields.velocity, fields.solids) / norm(read(false));
-    const auto sum = [&](std::span<const float> numbers) {
-        double all = 0.0;
-        for (const float number : numbers.first(grid.cell_count())) {
-            all += static_cast<double>(number);
-        }
-        return all;
-    };
-    result.gained = sum(result.density) / sum(start) - 1.0;
-    return result;
-}
-
-void compare_puffs(const PuffOptions& options)
-{
-    constexpr fluid::Advection linear = fluid::Advection::linear;
-    constexpr fluid::Advection automatic = fluid::Advection::automatic;
-
-    struct Way {
-        const char* name;
-        fluid::Solver solver;
-        fluid::Advection advection;
-    };
-
-    const std::array<Way, 4> ways{{{"spectral, cubic advection", fluid::Solver::spectral, automatic},
-                                   {"80 rounds of Jacobi, cubic advection", fluid::Solver::jacobi, automatic},
-                                   {"80 rounds of Jacobi, linear advection", fluid::Solver::jacobi, linear},
-                                   {"mass, advection both ways", fluid::Solver::mass, linear}}};
-    bench::Machine machine(options.device);
-    const uint32_t width = options.width;
-    const fluid::Grid grid{.cells = {width, 2 * width, 1}, .cell_m = 1.0F / static_cast<float>(width)};
-    fmt::print("{}, {}\n{} x {} cells, {} s in steps of 1/60 s\n"
-               "| solver | step, ms | divergence, per speed | density gained |\n|---|---|---|---|\n",
-               machine.name(), machine.device.info().driver, grid.cells.x, grid.cells.y, options.time_s);
-    std::vector<std::vector<float>> densities;
-    for (const Way& way : ways) {
-        const fluid::FluidStyle style{.step_s = 1.0F / 60.0F,
-                                      .stepping = fluid::Stepping::project,
-                                      .velocity_advection = way.advection,
-                                      .quantity_advection = way.advection,
-                                      .projection = {.solver = way.solver},
-                                      .forces = {.lift_m_s2 = 1.5F}};
-        PuffResult result = risen_puff(machine, grid, style, options.time_s);
-        fmt::print("| {} | {:.3f} | {:.1e} | {:+.3f} % |\n", way.name, result.step_ms, result.divergence,
-                   100.0 * result.gained);
-        static_cast<void>(std::fflush(stdout));
-        densities.push_back(std::move(result.density));
-    }
-    bench::save_gray_picture(
-        static_cast<uint32_t>(ways.size()) * grid.cells.x, grid.cells.y,
-        [&](uint32_t x, uint32_t y) {
-            const uint32_t row = grid.cells.y - 1 - y; // the grid's y points up
-            return x % grid.cells.x == 0
-                       ? uint8_t{0}
-                       : gray_of(densities[x / grid.cells.x][row * grid.cells.x + x % grid.cells.x]);
-        },
-        options.picture);
-}
-
-bench::Job add_puffs(CLI::App& command)
-{
-    const auto options = std::make_shared<PuffOptions>();
-    bench::add_device_option(command, options->device);
-    command.add_option("--picture", options->picture, "PNG file to write")->capture_default_str();
-    command.add_option("--width", options->width, "Cells along x, a power of two; twice as many along y")
-        ->capture_default_str()
-        ->check(CLI::Range(16, 1024));
-    command.add_option("--time-s", options->time_s)->capture_default_str()->check(CLI::Range(0.0, 600.0));
-    return [options] { compare_puffs(*options); };
 }
 
 bench::Job add_smoke(CLI::App& command)
@@ -597,10 +448,6 @@ int main(int argc, char** argv)
     bench::add_command(app, "cavity",
                        "Let a lid drive the fluid in a cavity, and compare with the literature", add_cavity,
                        job);
-    bench::add_command(app, "puffs",
-                       "Let a warm puff rise in a closed room by each way to keep air from piling up: time, "
-                       "divergence left, mass gained or lost, picture",
-                       add_puffs, job);
     bench::add_command(app, "smoke", "Draw smoke that rises past obstacles", add_smoke, job);
     return bench::run(app, argc, argv, [&] { job(); });
 }

@@ -32,8 +32,8 @@ private:
     std::unique_ptr<output::Child> process_;
 };
 
-/// Work of the low-priority process: draws the scene without a window in all ways in which the window draws,
-/// then records in a file that the shaders are compiled. Throws Error as `estampe render` does.
+/// Work of the low-priority process. Draws the scene without a window in all ways in which the window draws.
+/// At the end, records in a file that the shaders are compiled. Throws Error as `estampe render` does.
 void warm_up(const app::ViewCommand& command);
 
 /// Returns the file that records for which program and which cache of Mesa the shaders were compiled with

@@ -111,10 +111,12 @@ TEST(FilmMemory, KeepsTheMassOfFluidsThatAreSolvedByIt)
     static_cast<void>(frame(renderer, style, 1));
     const std::vector<std::byte> memory = renderer.film_memory();
     const Image second = frame(renderer, style, 2);
+    const std::vector<std::byte> memory_of_second = renderer.film_memory();
     renderer.set_scene(scene);
     renderer.recall_film(memory);
     EXPECT_EQ(renderer.film_memory(), memory);
     EXPECT_TRUE(frame(renderer, style, 2) == second);
+    EXPECT_EQ(renderer.film_memory(), memory_of_second) << "air and water to the bit";
 }
 
 TEST(FilmMemory, KeepsHowFarSmokeIsBehindThatWasBegunWithinTheFilm)

@@ -197,20 +197,48 @@ void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodeP
     loaded.placed.place(places, time_s);
 }
 
-void lay_out(gpu::Device& device, LoadedScene& loaded)
-{
-    // Ink zones keep their meshes in the scene, because the flowing ink needs their shapes.
-    std::vector<std::pair<Index, Index>> hidden;
-    for (Index node = 0; node < loaded.ink_zones.size(); ++node) {
-        if (loaded.ink_zones[node]) {
-            hidden.emplace_back(node, std::exchange(loaded.scene.nodes[node].mesh, no_index));
+namespace {
+
+/// Takes the meshes of ink zones out of a scene as long as the object lives. The scene keeps them otherwise,
+/// because flowing ink needs their shapes.
+class HiddenMeshes {
+public:
+    HiddenMeshes(Scene& scene, const std::vector<bool>& are_hidden) : scene_(scene)
+    {
+        for (Index node = 0; node < are_hidden.size(); ++node) {
+            if (are_hidden[node]) {
+                meshes_.emplace_back(node, std::exchange(scene.nodes[node].mesh, no_index));
+            }
         }
     }
-    pose::MeshData layout = layout_of(loaded.scene);
-    for (const auto& [node, mesh] : hidden) {
-        loaded.scene.nodes[node].mesh = mesh;
+
+    ~HiddenMeshes()
+    {
+        for (const auto& [node, mesh] : meshes_) {
+            scene_.nodes[node].mesh = mesh;
+        }
     }
-    take_layout(device, loaded, std::move(layout));
+
+    HiddenMeshes(const HiddenMeshes&) = delete;
+    HiddenMeshes& operator=(const HiddenMeshes&) = delete;
+
+private:
+    Scene& scene_;
+    std::vector<std::pair<Index, Index>> meshes_; ///< Node, and its mesh
+};
+
+/// The layout of the scene without the meshes of ink zones.
+pose::MeshData layout_without_zones(LoadedScene& loaded)
+{
+    const HiddenMeshes hidden(loaded.scene, loaded.ink_zones);
+    return layout_of(loaded.scene);
+}
+
+} // namespace
+
+void lay_out(gpu::Device& device, LoadedScene& loaded)
+{
+    take_layout(device, loaded, layout_without_zones(loaded));
 }
 
 bool hide_ink_zones(gpu::Device& device, LoadedScene& loaded, const features::StyleTables& style)
@@ -224,6 +252,14 @@ bool hide_ink_zones(gpu::Device& device, LoadedScene& loaded, const features::St
     }
     if (wanted == loaded.ink_zones) {
         return false;
+    }
+    const auto is_drawn = [&](const Node& node) {
+        const auto index = static_cast<size_t>(&node - loaded.scene.nodes.data());
+        return node.mesh != no_index && !wanted[index];
+    };
+    if (!wanted.empty() && !loaded.scene.terrain && std::ranges::none_of(loaded.scene.nodes, is_drawn)) {
+        throw Error("nothing is left to draw: the style makes all meshes ink zones", "[object] ink.zone",
+                    "name only the objects that shall drive the ink");
     }
     loaded.ink_zones = std::move(wanted);
     lay_out(device, loaded);

@@ -89,7 +89,7 @@ void lay_out(gpu::Device& device, LoadedScene& loaded);
                                   const features::StyleTables& style);
 
 /// Removes the meshes of the style's ink zones from the layout, and adds the meshes of nodes that are no
-/// longer ink zones. Returns whether the meshes were rebuilt.
+/// longer ink zones. Returns whether the meshes were rebuilt. Throws Error if no mesh would be left.
 [[nodiscard]] bool hide_ink_zones(gpu::Device& device, LoadedScene& loaded,
                                   const features::StyleTables& style);
 

@@ -181,7 +181,12 @@ TEST(FlowingInk, AMeshThatIsAZoneIsNotDrawn)
     for (const char* const setting : {"ink.enabled=true", "ink.threshold=0.99"}) {
         zone.set(setting);
     }
-    EXPECT_FALSE(renderer.render(camera, zone, settings) == hidden) << "ink flows out of the box's shape";
+    const Image giving = renderer.render(camera, zone, settings);
+    zone.set("object.box.ink.zone.give=0");
+    EXPECT_FALSE(renderer.render(camera, zone, settings) == giving) << "ink flows out of the box's shape";
+    zone.set("object.*.ink.zone.give=1");
+    EXPECT_THROW(static_cast<void>(renderer.render(camera, zone, settings)), Error) << "nothing is left";
+    EXPECT_TRUE(renderer.render(camera, {}, settings) == whole) << "all meshes are there as before";
 }
 
 } // namespace

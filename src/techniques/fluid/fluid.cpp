@@ -39,6 +39,11 @@ void check_start(const Grid& grid, uint32_t channels, std::span<const float> sta
     }
 }
 
+bool needs_mass(const FluidStyle& style)
+{
+    return style.projection.solver == Solver::mass;
+}
+
 } // namespace
 
 /// Graph handles that each fluid step passes to the next step.
@@ -123,7 +128,7 @@ private:
         newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes, moved);
     }
 
-    [[nodiscard]] bool has_mass() const { return style_.projection.solver == Solver::mass; }
+    [[nodiscard]] bool has_mass() const { return needs_mass(style_); }
 
     [[nodiscard]] float part_s() const
     {
@@ -232,7 +237,7 @@ void Fluid::set_mass(gpu::Device& device, std::span<const float> mass)
 
 void Fluid::ensure_mass(gpu::Device& device, const FluidStyle& style)
 {
-    if (style.projection.solver != Solver::mass) {
+    if (!needs_mass(style)) {
         mass_.reset();
     } else if (!mass_) {
         set_mass(device);
@@ -263,7 +268,7 @@ uint32_t Fluid::most_steps(const FluidStyle& style) const
 {
     // A graph holds at most 256 passes; techniques other than the fluid use the remaining passes.
     constexpr uint32_t most_passes = 240;
-    const bool has_mass = style.projection.solver == Solver::mass;
+    const bool has_mass = needs_mass(style);
     const bool reflects = style.stepping == Stepping::reflect && !has_mass;
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
     const uint32_t diffusion =
@@ -307,7 +312,7 @@ FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_
     if (count > most_steps(style)) {
         throw std::logic_error("more steps of a fluid than one graph takes");
     }
-    const bool has_mass = style.projection.solver == Solver::mass;
+    const bool has_mass = needs_mass(style);
     if (has_mass && !mass_) {
         throw std::logic_error("a fluid without a mass has no solver by mass");
     }
