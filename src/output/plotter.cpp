@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
 #include <estampe/vector_drawing.hpp>
+
+#include "output/pen_order.hpp"
 
 namespace estampe::output {
 namespace {
@@ -18,43 +20,50 @@ namespace {
 constexpr float parallel_cosine = 0.995F;
 // Smallest length of an overlap that is removed. Shorter overlaps are crossings at a small angle, which stay.
 constexpr float least_overlap_mm = 1.0F;
-constexpr float cell_mm = 1.0F;
 constexpr float sample_mm = 0.25F;
+
+constexpr float least_stroke_mm = 1.0F; // A shorter stroke is a dot of the pen, which gives no direction
 
 /// A short piece of a stroke that is already drawn.
 struct Piece {
     glm::vec2 from{0.0F};
     glm::vec2 to{0.0F};
+    uint32_t stroke = 0;
 };
 
+/// Short pieces of strokes in a grid, for searches within at most the side of a cell.
 class DrawnPieces {
 public:
+    explicit DrawnPieces(float cell_mm) : cell_mm_(cell_mm) {}
+
     /// Returns whether a piece of an earlier stroke lies within `reach_mm` of `place` and is parallel to the
     /// direction `way`.
     [[nodiscard]] bool covers(const glm::vec2& place, const glm::vec2& way, float reach_mm) const
     {
-        const glm::ivec2 middle = cell_of(place);
-        for (int i = 0; i < 9; ++i) {
-            const auto found = cells_.find(key_of(middle + glm::ivec2(i % 3 - 1, i / 3 - 1)));
-            if (found != cells_.end() && std::ranges::any_of(found->second, [&](const Piece& piece) {
-                    return std::abs(glm::dot(way, direction(piece.from, piece.to))) > parallel_cosine &&
-                           distance_to(place, piece) <= reach_mm;
-                })) {
-                return true;
-            }
-        }
-        return false;
+        return has_piece(place, [&](const Piece& piece) {
+            return std::abs(glm::dot(way, direction(piece.from, piece.to))) > parallel_cosine &&
+                   distance_to(place, piece) <= reach_mm;
+        });
     }
 
-    void add(const VectorStroke& stroke)
+    /// Returns whether a piece of another stroke than `stroke` lies within `reach_mm` of `place`.
+    [[nodiscard]] bool has_another(uint32_t stroke, const glm::vec2& place, float reach_mm) const
+    {
+        return has_piece(place, [&](const Piece& piece) {
+            return piece.stroke != stroke && distance_to(place, piece) <= reach_mm;
+        });
+    }
+
+    void add(const VectorStroke& stroke, uint32_t number)
     {
         for (size_t i = 1; i < stroke.points.size(); ++i) {
             const Piece piece{stroke.points[i - 1].page_mm, stroke.points[i].page_mm};
-            const int steps = 1 + static_cast<int>(glm::distance(piece.from, piece.to) / (0.5F * cell_mm));
+            const int steps = 1 + static_cast<int>(glm::distance(piece.from, piece.to) / (0.5F * cell_mm_));
             for (int k = 0; k < steps; ++k) {
                 const Piece part{
                     glm::mix(piece.from, piece.to, static_cast<float>(k) / static_cast<float>(steps)),
-                    glm::mix(piece.from, piece.to, static_cast<float>(k + 1) / static_cast<float>(steps))};
+                    glm::mix(piece.from, piece.to, static_cast<float>(k + 1) / static_cast<float>(steps)),
+                    number};
                 cells_[key_of(cell_of(0.5F * (part.from + part.to)))].push_back(part);
             }
         }
@@ -66,7 +75,25 @@ public:
         return length > 0.0F ? (to - from) / length : glm::vec2(0.0F);
     }
 
+    [[nodiscard]] static uint64_t key_of(const glm::ivec2& cell)
+    {
+        return static_cast<uint64_t>(static_cast<uint32_t>(cell.x)) << 32U | static_cast<uint32_t>(cell.y);
+    }
+
 private:
+    template <class IsOne>
+    [[nodiscard]] bool has_piece(const glm::vec2& place, const IsOne& is_one) const
+    {
+        const glm::ivec2 middle = cell_of(place);
+        for (int i = 0; i < 9; ++i) {
+            const auto found = cells_.find(key_of(middle + glm::ivec2(i % 3 - 1, i / 3 - 1)));
+            if (found != cells_.end() && std::ranges::any_of(found->second, is_one)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     [[nodiscard]] static float distance_to(const glm::vec2& place, const Piece& piece)
     {
         const glm::vec2 way = piece.to - piece.from;
@@ -75,13 +102,9 @@ private:
         return glm::distance(place, piece.from + along * way);
     }
 
-    [[nodiscard]] static glm::ivec2 cell_of(const glm::vec2& place) { return {glm::floor(place / cell_mm)}; }
+    [[nodiscard]] glm::ivec2 cell_of(const glm::vec2& place) const { return {glm::floor(place / cell_mm_)}; }
 
-    [[nodiscard]] static uint64_t key_of(const glm::ivec2& cell)
-    {
-        return static_cast<uint64_t>(static_cast<uint32_t>(cell.x)) << 32U | static_cast<uint32_t>(cell.y);
-    }
-
+    float cell_mm_ = 1.0F;
     std::unordered_map<uint64_t, std::vector<Piece>> cells_;
 };
 
@@ -165,7 +188,7 @@ std::vector<VectorStroke> kept_stretches(const VectorStroke& stroke, const std::
 
 void remove_overlaps(VectorDrawing& drawing)
 {
-    std::vector<DrawnPieces> drawn(drawing.inks_srgb.size());
+    std::vector<DrawnPieces> drawn(drawing.inks_srgb.size(), DrawnPieces(1.0F));
     std::vector<VectorStroke> kept;
     kept.reserve(drawing.strokes.size());
     for (const VectorStroke& stroke : drawing.strokes) {
@@ -185,8 +208,228 @@ void remove_overlaps(VectorDrawing& drawing)
         const std::vector<VectorStroke> parts =
             all_free ? std::vector<VectorStroke>{stroke} : kept_stretches(fine, is_free);
         for (const VectorStroke& part : parts) {
-            pieces.add(part);
+            pieces.add(part, 0);
             kept.push_back(part);
+        }
+    }
+    drawing.strokes = std::move(kept);
+}
+
+namespace {
+
+/// One of the two ends of a stroke, as the place in the list of strokes.
+struct StrokeEnd {
+    uint32_t stroke = 0;
+    bool is_last = false; // The last point of the stroke, in place of the first
+    bool operator==(const StrokeEnd&) const = default;
+};
+
+constexpr float direction_over_mm =
+    0.5F; // Length of the part of a stroke that gives the direction of its end
+constexpr float corner_gap_mm = 0.15F;
+
+/// Returns the direction in which a stroke leaves the page's part that it covers, at one of its ends.
+glm::vec2 way_out(const VectorStroke& stroke, bool is_last)
+{
+    const size_t count = stroke.points.size();
+    const auto point = [&](size_t i) { return stroke.points[is_last ? count - 1 - i : i].page_mm; };
+    size_t inside = 1;
+    while (inside + 1 < count && glm::distance(point(0), point(inside)) < direction_over_mm) {
+        ++inside;
+    }
+    return DrawnPieces::direction(point(inside), point(0));
+}
+
+const VectorPoint& point_of(const VectorStroke& stroke, bool is_last)
+{
+    return is_last ? stroke.points.back() : stroke.points.front();
+}
+
+/// Two ends of strokes that may be joined.
+struct Joint {
+    StrokeEnd one;
+    StrokeEnd other;
+    float cost = 0.0F; // in millimetres
+};
+
+/// Returns how far the pair of ends is from one line without a break, or nothing if the ends must not be
+/// joined. Two ends continue each other if the gap between them is shorter than the pen is wide (twice for
+/// hatching), and if the bend is at most 25 degrees. Strokes that touch at a corner are joined if one of them
+/// is too short to be drawn by itself.
+std::optional<float> joint_cost(const VectorStroke& a, bool a_last, const VectorStroke& b, bool b_last,
+                                float pen_mm)
+{
+    constexpr float least_cosine = 0.9F;
+    constexpr float corner_cost_mm = 2.0F;
+    const bool is_hatch = a.kind == StrokeKind::hatch;
+    if (a.ink != b.ink || a.is_hidden || b.is_hidden || is_hatch != (b.kind == StrokeKind::hatch)) {
+        return std::nullopt;
+    }
+    const glm::vec2 from = point_of(a, a_last).page_mm;
+    const glm::vec2 to = point_of(b, b_last).page_mm;
+    const float gap_mm = glm::distance(from, to);
+    const glm::vec2 out = way_out(a, a_last);
+    const float straight = -glm::dot(out, way_out(b, b_last));
+    const float ahead = gap_mm > 0.5F * pen_mm ? glm::dot(out, to - from) / gap_mm : 1.0F;
+    if (gap_mm <= (is_hatch ? 2.0F : 1.0F) * pen_mm && straight >= least_cosine && ahead >= least_cosine) {
+        return gap_mm + 1.0F - straight;
+    }
+    const bool is_short = length_mm(a, 0, a.points.size() - 1) < least_stroke_mm ||
+                          length_mm(b, 0, b.points.size() - 1) < least_stroke_mm;
+    if (!is_hatch && is_short && gap_mm <= corner_gap_mm) {
+        return corner_cost_mm + gap_mm + 1.0F - straight;
+    }
+    return std::nullopt;
+}
+
+/// Finds all pairs of ends that may be joined, the best pairs first.
+std::vector<Joint> joints_of(const VectorDrawing& drawing)
+{
+    const std::vector<VectorStroke>& strokes = drawing.strokes;
+    const float reach_mm = std::max(2.0F * drawing.hatch_width_mm, corner_gap_mm);
+    std::unordered_map<uint64_t, std::vector<StrokeEnd>> cells;
+    std::vector<Joint> joints;
+    for (uint32_t i = 0; i < strokes.size(); ++i) {
+        if (strokes[i].is_closed) {
+            continue;
+        }
+        for (const bool is_last : {false, true}) {
+            const glm::ivec2 cell(glm::floor(point_of(strokes[i], is_last).page_mm / reach_mm));
+            for (int k = 0; k < 9; ++k) {
+                const auto found = cells.find(DrawnPieces::key_of(cell + glm::ivec2(k % 3 - 1, k / 3 - 1)));
+                if (found == cells.end()) {
+                    continue;
+                }
+                for (const StrokeEnd& other : found->second) {
+                    const auto cost = joint_cost(strokes[i], is_last, strokes[other.stroke], other.is_last,
+                                                 drawing.hatch_width_mm);
+                    if (cost && other.stroke != i) {
+                        joints.push_back({{i, is_last}, other, *cost});
+                    }
+                }
+            }
+            cells[DrawnPieces::key_of(cell)].push_back({i, is_last});
+        }
+    }
+    std::ranges::stable_sort(joints, {}, &Joint::cost);
+    return joints;
+}
+
+/// Strokes, each with the strokes that continue it at its two ends.
+class JoinedStrokes {
+public:
+    explicit JoinedStrokes(const std::vector<VectorStroke>& strokes)
+        : strokes_(strokes), next_(2 * strokes.size()), whole_(strokes.size())
+    {
+        std::iota(whole_.begin(), whole_.end(), 0U);
+    }
+
+    /// Joins two ends, unless one of them is joined already or the joint would close a loop.
+    void join(const StrokeEnd& one, const StrokeEnd& other)
+    {
+        const uint32_t a = whole_of(one.stroke);
+        const uint32_t b = whole_of(other.stroke);
+        if (a != b && !next_[index_of(one)] && !next_[index_of(other)]) {
+            next_[index_of(one)] = other;
+            next_[index_of(other)] = one;
+            whole_[std::max(a, b)] = std::min(a, b);
+        }
+    }
+
+    /// Returns the joined strokes, in the order of their first parts. The longest part gives a joined stroke
+    /// its kind and object.
+    [[nodiscard]] std::vector<VectorStroke> wholes() const
+    {
+        std::vector<VectorStroke> wholes;
+        std::vector<bool> is_done(strokes_.size());
+        for (uint32_t i = 0; i < strokes_.size(); ++i) {
+            if (is_done[i]) {
+                continue;
+            }
+            StrokeEnd start{i, false};
+            while (const auto before = next_[index_of(start)]) {
+                start = {before->stroke, !before->is_last};
+            }
+            wholes.push_back(whole_from(start, is_done));
+        }
+        return wholes;
+    }
+
+private:
+    [[nodiscard]] static size_t index_of(const StrokeEnd& end)
+    {
+        return size_t{2} * end.stroke + (end.is_last ? 1 : 0);
+    }
+
+    uint32_t whole_of(uint32_t stroke)
+    {
+        while (whole_[stroke] != stroke) {
+            whole_[stroke] = whole_[whole_[stroke]];
+            stroke = whole_[stroke];
+        }
+        return stroke;
+    }
+
+    [[nodiscard]] VectorStroke whole_from(const StrokeEnd& start, std::vector<bool>& is_done) const
+    {
+        std::optional<StrokeEnd> at = start;
+        VectorStroke whole = without_points(strokes_[start.stroke]);
+        whole.is_closed = strokes_[start.stroke].is_closed;
+        float longest_mm = -1.0F;
+        while (at) {
+            const VectorStroke& part = strokes_[at->stroke];
+            is_done[at->stroke] = true;
+            const float part_mm = length_mm(part, 0, part.points.size() - 1);
+            if (part_mm > longest_mm) {
+                longest_mm = part_mm;
+                whole.kind = part.kind;
+                whole.object = part.object;
+            }
+            std::vector<VectorPoint> points = part.points;
+            if (at->is_last) {
+                std::reverse(points.begin(), points.end());
+            }
+            const bool touches =
+                !whole.points.empty() && whole.points.back().page_mm == points.front().page_mm;
+            whole.points.insert(whole.points.end(), points.begin() + (touches ? 1 : 0), points.end());
+            at = next_[index_of({at->stroke, !at->is_last})];
+        }
+        return whole;
+    }
+
+    const std::vector<VectorStroke>& strokes_;
+    std::vector<std::optional<StrokeEnd>> next_; // of the first and of the last point of each stroke
+    std::vector<uint32_t> whole_;                // a joined stroke has the number of its first part
+};
+
+} // namespace
+
+void join_strokes(VectorDrawing& drawing)
+{
+    JoinedStrokes joined(drawing.strokes);
+    for (const Joint& joint : joints_of(drawing)) {
+        joined.join(joint.one, joint.other);
+    }
+    drawing.strokes = joined.wholes();
+}
+
+void remove_scraps(VectorDrawing& drawing)
+{
+    constexpr float beside_mm = 1.5F;
+    DrawnPieces lines(beside_mm);
+    for (uint32_t i = 0; i < drawing.strokes.size(); ++i) {
+        if (drawing.strokes[i].kind != StrokeKind::hatch) {
+            lines.add(drawing.strokes[i], i);
+        }
+    }
+    std::vector<VectorStroke> kept;
+    kept.reserve(drawing.strokes.size());
+    for (uint32_t i = 0; i < drawing.strokes.size(); ++i) {
+        const VectorStroke& stroke = drawing.strokes[i];
+        const glm::vec2 middle = stroke.points[stroke.points.size() / 2].page_mm;
+        if (stroke.is_hidden || length_mm(stroke, 0, stroke.points.size() - 1) >= least_stroke_mm ||
+            (stroke.kind != StrokeKind::hatch && !lines.has_another(i, middle, beside_mm))) {
+            kept.push_back(stroke);
         }
     }
     drawing.strokes = std::move(kept);
@@ -231,190 +474,10 @@ void remove_thin_hatching(VectorDrawing& drawing)
     drawing.strokes = std::move(kept);
 }
 
-// Source: Croes, "A Method for Solving Traveling-Salesman Problems", Operations Research 6, 1958.
-
-namespace {
-
-/// Grid with the ends of the strokes that are not drawn yet, for a fast search of the nearest end.
-class Ends {
-public:
-    explicit Ends(std::span<const PenStroke> strokes) : strokes_(strokes)
-    {
-        glm::vec2 low(std::numeric_limits<float>::max());
-        glm::vec2 high(-std::numeric_limits<float>::max());
-        for (const PenStroke& stroke : strokes) {
-            low = glm::min(low, glm::min(stroke.start, stroke.end));
-            high = glm::max(high, glm::max(stroke.start, stroke.end));
-        }
-        const double side = std::sqrt(0.5 * static_cast<double>(strokes.size()));
-        const int most = std::clamp(static_cast<int>(side), 1, 1024);
-        low_ = low;
-        cell_mm_ = std::max({(high.x - low.x), (high.y - low.y), 1e-3F}) / static_cast<float>(most);
-        size_ = glm::ivec2((high - low) / cell_mm_) + 1;
-        cells_.resize(static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y));
-        for (uint32_t i = 0; i < strokes.size(); ++i) {
-            cells_[index_of(cell_of(strokes[i].start))].push_back({i, false});
-            cells_[index_of(cell_of(strokes[i].end))].push_back({i, true});
-        }
-    }
-
-    /// Finds the stroke end nearest to a place on the page.
-    [[nodiscard]] PenStep nearest(const glm::vec2& from) const
-    {
-        const glm::ivec2 middle = cell_of(from);
-        std::optional<PenStep> best;
-        float least = std::numeric_limits<float>::max();
-        const int rings = std::max(size_.x, size_.y);
-        for (int ring = 0; ring <= rings; ++ring) {
-            // Stops the search if farther rings of cells cannot contain a nearer end. A ring of cells is at
-            // least this far from any place in the middle cell.
-            if (best && static_cast<float>(ring - 1) * cell_mm_ > least) {
-                break;
-            }
-            visit_ring(middle, ring, [&](const PenStep& step) {
-                const float away = glm::distance(from, start_of(step));
-                if (away < least) {
-                    least = away;
-                    best = step;
-                }
-            });
-        }
-        return best.value();
-    }
-
-    void remove(uint32_t stroke)
-    {
-        for (const glm::vec2& end : {strokes_[stroke].start, strokes_[stroke].end}) {
-            std::erase_if(cells_[index_of(cell_of(end))],
-                          [stroke](const PenStep& step) { return step.stroke == stroke; });
-        }
-    }
-
-private:
-    [[nodiscard]] glm::vec2 start_of(const PenStep& step) const
-    {
-        return step.is_turned ? strokes_[step.stroke].end : strokes_[step.stroke].start;
-    }
-
-    [[nodiscard]] glm::ivec2 cell_of(const glm::vec2& place) const
-    {
-        return glm::clamp(glm::ivec2(glm::floor((place - low_) / cell_mm_)), glm::ivec2(0), size_ - 1);
-    }
-
-    [[nodiscard]] size_t index_of(const glm::ivec2& cell) const
-    {
-        return static_cast<size_t>(cell.y) * static_cast<size_t>(size_.x) + static_cast<size_t>(cell.x);
-    }
-
-    template <class Visit>
-    void visit_ring(const glm::ivec2& middle, int ring, const Visit& visit) const
-    {
-        const int top = std::max(middle.y - ring, 0);
-        const int bottom = std::min(middle.y + ring, size_.y - 1);
-        for (int y = top; y <= bottom; ++y) {
-            const bool is_whole_row = std::abs(y - middle.y) == ring;
-            const int step = is_whole_row || ring == 0 ? 1 : 2 * ring;
-            for (int x = middle.x - ring; x <= middle.x + ring; x += step) {
-                if (x >= 0 && x < size_.x) {
-                    std::ranges::for_each(cells_[index_of({x, y})], visit);
-                }
-            }
-        }
-    }
-
-    std::span<const PenStroke> strokes_;
-    glm::vec2 low_{0.0F};
-    float cell_mm_ = 1.0F;
-    glm::ivec2 size_{1};
-    std::vector<std::vector<PenStep>> cells_;
-};
-
-glm::vec2 start_of(std::span<const PenStroke> strokes, const PenStep& step)
-{
-    return step.is_turned ? strokes[step.stroke].end : strokes[step.stroke].start;
-}
-
-glm::vec2 end_of(std::span<const PenStroke> strokes, const PenStep& step)
-{
-    return step.is_turned ? strokes[step.stroke].start : strokes[step.stroke].end;
-}
-
-void turn(std::vector<PenStep>& order, size_t first, size_t last)
-{
-    std::reverse(order.begin() + static_cast<std::ptrdiff_t>(first),
-                 order.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-    for (size_t i = first; i <= last; ++i) {
-        order[i].is_turned = !order[i].is_turned;
-    }
-}
-
-/// Length of pen travel that is saved if the steps from `first` to `last` are reversed.
-double saving(std::span<const PenStroke> strokes, std::span<const PenStep> order, size_t first, size_t last,
-              const glm::vec2& origin)
-{
-    const glm::vec2 before = first == 0 ? origin : end_of(strokes, order[first - 1]);
-    const glm::vec2 start = start_of(strokes, order[first]);
-    const glm::vec2 end = end_of(strokes, order[last]);
-    double saved = glm::distance(before, start) - glm::distance(before, end);
-    if (last + 1 < order.size()) {
-        const glm::vec2 after = start_of(strokes, order[last + 1]);
-        saved += glm::distance(end, after) - glm::distance(start, after);
-    }
-    return saved;
-}
-
-} // namespace
-
-double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> order, const glm::vec2& origin)
-{
-    double sum = 0.0;
-    glm::vec2 at = origin;
-    for (const PenStep& step : order) {
-        sum += glm::distance(at, start_of(strokes, step));
-        at = end_of(strokes, step);
-    }
-    return sum;
-}
-
-std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
-                                    uint64_t turn_budget)
-{
-    constexpr size_t farthest = 1500; // Largest number of consecutive strokes that one step of 2-opt reverses
-    constexpr double least_saving_mm = 1e-4;
-    std::vector<PenStep> order;
-    if (strokes.empty()) {
-        return order;
-    }
-    order.reserve(strokes.size());
-    Ends ends(strokes);
-    glm::vec2 at = origin;
-    while (order.size() < strokes.size()) {
-        order.push_back(ends.nearest(at));
-        ends.remove(order.back().stroke);
-        at = end_of(strokes, order.back());
-    }
-    bool is_better = true;
-    while (is_better && turn_budget > 0) {
-        is_better = false;
-        for (size_t first = 0; first < order.size() && turn_budget > 0; ++first) {
-            const size_t end = std::min(first + farthest, order.size());
-            for (size_t last = first; last < end && turn_budget > 0; ++last, --turn_budget) {
-                if (saving(strokes, order, first, last, origin) > least_saving_mm) {
-                    turn(order, first, last);
-                    is_better = true;
-                }
-            }
-        }
-    }
-    return order;
-}
-
 } // namespace estampe::output
 
 namespace estampe {
 namespace {
-
-constexpr uint64_t turn_budget = 200'000'000; // Number of comparisons in 2-opt; they take about one second
 
 std::vector<output::PenStroke> pen_strokes(const std::vector<VectorStroke>& strokes)
 {
@@ -468,15 +531,12 @@ void prepare_for_plotter(VectorDrawing& drawing)
     output::remove_thin_hatching(drawing);
     output::cut_dashes(drawing);
     output::remove_overlaps(drawing);
-    std::erase_if(drawing.strokes, [&](const VectorStroke& stroke) {
-        // A stroke shorter than the hatching width would be drawn as a blot.
-        return length_mm(stroke) < drawing.hatch_width_mm;
-    });
+    output::join_strokes(drawing);
+    output::remove_scraps(drawing);
     std::vector<std::vector<VectorStroke>> pens = by_pen(drawing);
     drawing.strokes.clear();
     for (std::vector<VectorStroke>& strokes : pens) {
-        for (const output::PenStep& step :
-             output::shortest_order(pen_strokes(strokes), glm::vec2(0.0F), turn_budget)) {
+        for (const output::PenStep& step : output::shortest_order(pen_strokes(strokes), glm::vec2(0.0F))) {
             VectorStroke stroke = std::move(strokes[step.stroke]);
             if (step.is_turned) {
                 std::reverse(stroke.points.begin(), stroke.points.end());

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Prepares drawings for pen plotters: removes strokes that need not be drawn, cuts hidden strokes into
-// dashes, and orders strokes so that the lifted pen travels little.
-
-#include <cstdint>
-#include <span>
-#include <vector>
-
-#include <glm/glm.hpp>
+// Prepares drawings for pen plotters: removes strokes that need not be drawn, and cuts hidden strokes into
+// dashes.
 
 #include <estampe/vector_drawing.hpp>
 
@@ -20,32 +14,21 @@ namespace estampe::output {
 /// complete. Cost: linear in points.
 void remove_overlaps(VectorDrawing& drawing);
 
+/// Joins strokes of the same ink whose ends continue each other: lines over a gap below the width of the pen,
+/// and hatching over a gap below twice this width. The pen draws over the gap. A line shorter than a
+/// millimetre is also joined to a line that it touches at a corner. Dashes of hidden lines stay apart. Cost:
+/// linear in strokes.
+void join_strokes(VectorDrawing& drawing);
+
+/// Removes strokes shorter than a millimetre: all of them in hatching, and those lines that have another line
+/// beside them, within 1.5 mm. A short line that stands alone is kept, because it is the only mark of
+/// something small, such as an eye. Dashes of hidden lines stay. Cost: linear in points.
+void remove_scraps(VectorDrawing& drawing);
+
 /// Cuts hidden strokes into dashes.
 void cut_dashes(VectorDrawing& drawing);
 
 /// Removes the parts of hatching that are thinner than half its usual width.
 void remove_thin_hatching(VectorDrawing& drawing);
-
-/// Start and end of a stroke on the page.
-struct PenStroke {
-    glm::vec2 start{0.0F};
-    glm::vec2 end{0.0F};
-};
-
-/// One step of a plotting order: which stroke is drawn, and whether it is drawn in reverse.
-struct PenStep {
-    uint32_t stroke = 0;
-    bool is_turned = false;
-};
-
-/// Distance that the pen travels while lifted, starting at `origin`.
-[[nodiscard]] double travel_mm(std::span<const PenStroke> strokes, std::span<const PenStep> order,
-                               const glm::vec2& origin);
-
-/// Orders all strokes for a short pen travel. First, the stroke with the nearest end always comes next.
-/// Afterwards the method 2-opt reverses parts of the order while a reversal shortens the pen's travel, with
-/// at most `turn_budget` comparisons.
-[[nodiscard]] std::vector<PenStep> shortest_order(std::span<const PenStroke> strokes, const glm::vec2& origin,
-                                                  uint64_t turn_budget);
 
 } // namespace estampe::output
