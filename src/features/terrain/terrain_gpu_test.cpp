@@ -246,6 +246,23 @@ TEST(TerrainPictures, WhatIsSwappedIsAsIfDrawnAfresh)
     }
 }
 
+/// A planet's ground ends at the point opposite of the eye. A longer reach changes no pixel, because the
+/// ground beyond it would go round the planet again and show among the ground before the eye.
+TEST(TerrainPictures, APlanetsGroundGoesRoundItOnlyOnce)
+{
+    const std::string dunes =
+        "[terrain]\nheight = 'dunes(40, 5)'\n[mesh]\ncells = 32\nplanet_radius_m = 300\n";
+    const Camera camera = looking({3.0, 9.0, 0.0}, 0.3, -0.2);
+    std::optional<Image> half_way;
+    for (const char* const reach : {"reach_m = 470\n", "reach_m = 3000\n", "reach_m = 100000\n"}) {
+        Renderer renderer(test::validated());
+        renderer.set_scene(ground_of(dunes + reach));
+        const Image image = renderer.render(camera, {}, terrain_page);
+        EXPECT_TRUE(!half_way || image == *half_way) << reach;
+        half_way = image;
+    }
+}
+
 /// Simulated sand: dunes move over time, and a moment looks the same whichever moments came before.
 TEST(TerrainPictures, SandIsBlown)
 {

@@ -96,6 +96,14 @@ vec4 height_of(uvec2 index, TerrainLevel level)
     return sum;
 }
 
+// Angle in radians at the planet's centre between the eye and ground that is `far_m` metres from the eye.
+// Ground farther than the point opposite of the eye ends at that point: without this bound, it would go round
+// the planet again and lie among the ground before the eye.
+float planet_angle(float far_m)
+{
+    return min(far_m / terrain.planet_radius_m, 3.14159265);
+}
+
 // If the ground has a planet's curvature, moves a place onto a sphere. The sphere's top lies straight below
 // the eye, at height 0.
 vec3 bent(vec2 place, float height)
@@ -105,7 +113,7 @@ vec3 bent(vec2 place, float height)
     if (terrain.planet_radius_m <= 0.0 || far <= 0.0) {
         return vec3(place.x, height, place.y);
     }
-    float angle = far / terrain.planet_radius_m;
+    float angle = planet_angle(far);
     float half_sine = sin(0.5 * angle);
     vec2 across = away * ((terrain.planet_radius_m + height) * sin(angle) / far);
     return vec3(terrain.eye_m.x + across.x,
@@ -120,7 +128,7 @@ vec3 bent_normal(vec2 place, vec3 normal)
     if (terrain.planet_radius_m <= 0.0 || far <= 0.0) {
         return normal;
     }
-    float angle = far / terrain.planet_radius_m;
+    float angle = planet_angle(far);
     vec3 ahead = vec3(away.x / far, 0.0, away.y / far);
     float along = dot(normal, ahead);
     vec3 rest = normal - along * ahead - vec3(0.0, normal.y, 0.0);
