@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Measures how steady lines are. A mesh turns before the camera. A line pixel counts as unsteady if the frame
-// before or after has no line within a few pixels. estampe_bench_line_steadiness --help
+// before or after has no line within a few pixels, and blinks if neither of the two frames has. Also measures
+// the lengths of the strokes of the first frame. estampe_bench_line_steadiness --help
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <estampe/renderer.hpp>
+#include <estampe/vector_drawing.hpp>
 
 #include "common/command_line.hpp"
 #include "common/film.hpp"
@@ -102,15 +105,68 @@ std::vector<uint8_t> grown(const std::vector<uint8_t>& lines, uint32_t width, ui
     return result;
 }
 
-double percent_alone(const std::vector<uint8_t>& lines, const std::vector<uint8_t>& near_lines)
+/// Share of the line pixels for which `is_counted` holds, in percent.
+template <class IsCounted>
+double percent_of(const std::vector<uint8_t>& lines, const IsCounted& is_counted)
 {
     size_t count = 0;
-    size_t alone = 0;
+    size_t counted = 0;
     for (size_t i = 0; i < lines.size(); ++i) {
         count += lines[i];
-        alone += lines[i] != 0 && near_lines[i] == 0 ? 1U : 0U;
+        counted += lines[i] != 0 && is_counted(i) ? 1U : 0U;
     }
-    return count > 0 ? 100.0 * static_cast<double>(alone) / static_cast<double>(count) : 0.0;
+    return count > 0 ? 100.0 * static_cast<double>(counted) / static_cast<double>(count) : 0.0;
+}
+
+/// The lines of one frame.
+struct LinePixels {
+    std::vector<uint8_t> lines;
+    std::vector<uint8_t> near_lines; ///< the pixels within the reach of a line
+
+    [[nodiscard]] double percent_away_from(const LinePixels& other) const
+    {
+        return percent_of(lines, [&](size_t i) { return other.near_lines[i] == 0; });
+    }
+
+    /// Share of the line pixels without a line nearby in the frame before and in the frame after.
+    [[nodiscard]] double percent_blinking(const LinePixels& before, const LinePixels& after) const
+    {
+        return percent_of(lines,
+                          [&](size_t i) { return before.near_lines[i] == 0 && after.near_lines[i] == 0; });
+    }
+};
+
+/// How long the pen's strokes of contours are on a page of this size.
+std::string stroke_lengths(Renderer& renderer, const Camera& camera, const Style& style,
+                           const RenderSettings& settings)
+{
+    constexpr double short_mm = 1.5;
+    std::vector<double> lengths_mm;
+    for (const VectorStroke& stroke : renderer.draw_strokes(camera, style, settings).strokes) {
+        if (stroke.kind != StrokeKind::hatch && stroke.kind != StrokeKind::frame) {
+            double length_mm = 0.0;
+            for (size_t i = 1; i < stroke.points.size(); ++i) {
+                length_mm += glm::distance(stroke.points[i - 1].page_mm, stroke.points[i].page_mm);
+            }
+            lengths_mm.push_back(length_mm);
+        }
+    }
+    if (lengths_mm.empty()) {
+        return "no strokes";
+    }
+    std::ranges::sort(lengths_mm);
+    const auto shorter = std::ranges::lower_bound(lengths_mm, short_mm) - lengths_mm.begin();
+    return fmt::format("{} strokes of contours, {:.1f} % shorter than {} mm, median {:.2f} mm",
+                       lengths_mm.size(),
+                       100.0 * static_cast<double>(shorter) / static_cast<double>(lengths_mm.size()),
+                       short_mm, lengths_mm[lengths_mm.size() / 2]);
+}
+
+double mean_of(const std::vector<double>& values)
+{
+    return values.empty()
+               ? 0.0
+               : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 Camera turned(const Camera& camera, double angle_deg)
@@ -142,9 +198,9 @@ void measure(const Options& options)
     const Camera first =
         framing_camera(scene, pose_scene(scene, 0.0, no_index), static_cast<double>(width) / height);
     std::vector<double> shares;
+    std::vector<double> blinks;
     bench::Rounds lines_drawn;
-    std::vector<uint8_t> lines_before;
-    std::vector<uint8_t> near_before;
+    std::array<LinePixels, 3> frames; // the present frame, the frame before, and the one before that
     for (uint32_t frame = 0; frame < options.frames; ++frame) {
         RenderSettings settings{.width = width, .height = height, .time_passes = true};
         settings.continuity = options.stills ? Continuity::still
@@ -154,22 +210,24 @@ void measure(const Options& options)
         const std::vector<PassTiming> passes = line_passes(renderer);
         lines_drawn.add(bench::sum_ms(passes), passes);
         options.film.save(image, static_cast<int>(frame));
+        std::ranges::rotate(frames, frames.end() - 1);
         std::vector<uint8_t> lines = lines_in(image);
         std::vector<uint8_t> near_lines = grown(lines, width, height, options.reach_px);
+        frames[0] = {std::move(lines), std::move(near_lines)};
         if (frame > 0) {
-            shares.push_back(percent_alone(lines, near_before));
-            shares.push_back(percent_alone(lines_before, near_lines));
+            shares.push_back(frames[0].percent_away_from(frames[1]));
+            shares.push_back(frames[1].percent_away_from(frames[0]));
         }
-        lines_before = std::move(lines);
-        near_before = std::move(near_lines);
+        if (frame > 1) {
+            blinks.push_back(frames[1].percent_blinking(frames[2], frames[0]));
+        }
     }
-    const double mean =
-        std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
     fmt::print(
         "{}: {} triangles, {} frames of {} degrees at {}x{}: line pixels without a line within {} px in "
-        "the neighbouring frame: mean {:.4f} %, worst {:.4f} %\n",
+        "the neighbouring frame: mean {:.4f} %, worst {:.4f} %; in both neighbouring frames: {:.4f} %\n{}\n",
         options.scene, triangle_count(scene), options.frames, options.step_deg, width, height,
-        options.reach_px, mean, std::ranges::max(shares));
+        options.reach_px, mean_of(shares), std::ranges::max(shares), mean_of(blinks),
+        stroke_lengths(renderer, first, style, {.width = width, .height = height}));
     fmt::print("lines on {}: {} a frame\n{}", renderer.device().name, lines_drawn.text(),
                options.film.passes ? lines_drawn.passes_table() : "");
 }
