@@ -210,7 +210,7 @@ void measure(const Options& options)
         const std::vector<PassTiming> passes = line_passes(renderer);
         lines_drawn.add(bench::sum_ms(passes), passes);
         options.film.save(image, static_cast<int>(frame));
-        std::ranges::rotate(frames, frames.end() - 1);
+        std::rotate(frames.begin(), frames.end() - 1, frames.end());
         std::vector<uint8_t> lines = lines_in(image);
         std::vector<uint8_t> near_lines = grown(lines, width, height, options.reach_px);
         frames[0] = {std::move(lines), std::move(near_lines)};
