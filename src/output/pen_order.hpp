@@ -31,12 +31,12 @@ struct PenStep {
 /// strokes.
 [[nodiscard]] std::vector<PenStep> greedy_order(std::span<const PenStroke> strokes, const glm::vec2& origin);
 
-/// Orders all strokes for a short pen travel. The function starts from the greedy order. Then two methods
-/// change the order while a change shortens the pen's travel: 2-opt reverses a part of the order, and or-opt
-/// moves up to three consecutive strokes to another place in the order. Only changes that join two ends which
-/// are among each other's nearest are tried. The same strokes always give the same order.
+/// Orders all strokes for a short pen travel. The function starts from the greedy order. Two methods
+/// change the greedy order while a change shortens the pen's travel: 2-opt reverses a part of the order, and
+/// or-opt moves up to three consecutive strokes to another place in the order. Only changes that join two
+/// ends which are among each other's nearest are tried. The same strokes always give the same order.
 ///
-/// Cost     about 20 µs per stroke for 30,000 strokes on one core of a processor; the work is bounded
+/// Cost     about 0.5 s for 20,000 strokes, and 4.5 s for 100,000, on one core
 /// Sources  Croes, "A Method for Solving Traveling-Salesman Problems", Operations Research 6, 1958 (2-opt);
 ///          Or, "Traveling Salesman-Type Combinatorial Problems", Northwestern University, 1976 (or-opt);
 ///          Bentley, "Fast Algorithms for Geometric Traveling Salesman Problems", ORSA Journal on Computing

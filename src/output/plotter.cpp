@@ -19,10 +19,10 @@ namespace {
 // degrees.
 constexpr float parallel_cosine = 0.995F;
 // Smallest length of an overlap that is removed. Shorter overlaps are crossings at a small angle, which stay.
-constexpr float least_overlap_mm = 1.0F;
+constexpr double least_overlap_mm = 1.0;
 constexpr float sample_mm = 0.25F;
 
-constexpr float least_stroke_mm = 1.0F; // A shorter stroke is a dot of the pen, which gives no direction
+constexpr double least_stroke_mm = 1.0; // A shorter stroke is a dot of the pen, which gives no direction
 
 /// A short piece of a stroke that is already drawn.
 struct Piece {
@@ -135,13 +135,18 @@ VectorStroke refined(const VectorStroke& stroke, float step_mm)
     return fine;
 }
 
-float length_mm(const VectorStroke& stroke, size_t first, size_t last)
+double length_mm(const VectorStroke& stroke, size_t first, size_t last)
 {
-    float sum = 0.0F;
+    double sum = 0.0;
     for (size_t i = first; i < last; ++i) {
-        sum += glm::distance(stroke.points[i].page_mm, stroke.points[i + 1].page_mm);
+        sum += static_cast<double>(glm::distance(stroke.points[i].page_mm, stroke.points[i + 1].page_mm));
     }
     return sum;
+}
+
+double length_mm(const VectorStroke& stroke)
+{
+    return length_mm(stroke, 0, stroke.points.size() - 1);
 }
 
 /// Keeps covered parts of a stroke that are too short to be seen as a double line, unless the part is the
@@ -152,8 +157,8 @@ void keep_short_runs(const VectorStroke& stroke, std::vector<bool>& is_kept)
     for (auto run = std::find(is_kept.begin(), end, false); run != end;) {
         const auto stop = std::find(run, end, true);
         const bool is_all = run == is_kept.begin() && stop == end;
-        const float length = length_mm(stroke, static_cast<size_t>(run - is_kept.begin()),
-                                       static_cast<size_t>(stop - is_kept.begin()) - 1);
+        const double length = length_mm(stroke, static_cast<size_t>(run - is_kept.begin()),
+                                        static_cast<size_t>(stop - is_kept.begin()) - 1);
         if (!is_all && length < least_overlap_mm) {
             std::fill(run, stop, true);
         }
@@ -220,15 +225,14 @@ namespace {
 /// One of the two ends of a stroke, as the place in the list of strokes.
 struct StrokeEnd {
     uint32_t stroke = 0;
-    bool is_last = false; // The last point of the stroke, in place of the first
-    bool operator==(const StrokeEnd&) const = default;
+    bool is_last = false; // the end at the last point of the stroke, not at the first
 };
 
-constexpr float direction_over_mm =
-    0.5F; // Length of the part of a stroke that gives the direction of its end
-constexpr float corner_gap_mm = 0.15F;
+// Length of the part of a stroke that gives the direction of the stroke's end.
+constexpr float direction_over_mm = 0.5F;
+constexpr float corner_gap_mm = 0.15F; // Largest gap between two strokes that touch at a corner
 
-/// Returns the direction in which a stroke leaves the page's part that it covers, at one of its ends.
+/// Returns the direction in which a stroke would run on beyond one of its ends.
 glm::vec2 way_out(const VectorStroke& stroke, bool is_last)
 {
     const size_t count = stroke.points.size();
@@ -252,17 +256,17 @@ struct Joint {
     float cost = 0.0F; // in millimetres
 };
 
-/// Returns how far the pair of ends is from one line without a break, or nothing if the ends must not be
-/// joined. Two ends continue each other if the gap between them is shorter than the pen is wide (twice for
-/// hatching), and if the bend is at most 25 degrees. Strokes that touch at a corner are joined if one of them
-/// is too short to be drawn by itself.
+/// Returns how far a pair of ends is from one line without a break, or nothing if the ends must not be
+/// joined. Two ends continue each other if the bend is at most 26 degrees, and if the gap is at most the
+/// width of the pen, or twice this width for hatching. Lines that touch at a corner are joined if one of the
+/// two lines is too short to be drawn by itself.
 std::optional<float> joint_cost(const VectorStroke& a, bool a_last, const VectorStroke& b, bool b_last,
                                 float pen_mm)
 {
     constexpr float least_cosine = 0.9F;
     constexpr float corner_cost_mm = 2.0F;
     const bool is_hatch = a.kind == StrokeKind::hatch;
-    if (a.ink != b.ink || a.is_hidden || b.is_hidden || is_hatch != (b.kind == StrokeKind::hatch)) {
+    if (a.ink != b.ink || is_hatch != (b.kind == StrokeKind::hatch)) {
         return std::nullopt;
     }
     const glm::vec2 from = point_of(a, a_last).page_mm;
@@ -274,9 +278,8 @@ std::optional<float> joint_cost(const VectorStroke& a, bool a_last, const Vector
     if (gap_mm <= (is_hatch ? 2.0F : 1.0F) * pen_mm && straight >= least_cosine && ahead >= least_cosine) {
         return gap_mm + 1.0F - straight;
     }
-    const bool is_short = length_mm(a, 0, a.points.size() - 1) < least_stroke_mm ||
-                          length_mm(b, 0, b.points.size() - 1) < least_stroke_mm;
-    if (!is_hatch && is_short && gap_mm <= corner_gap_mm) {
+    if (!is_hatch && gap_mm <= corner_gap_mm &&
+        (length_mm(a) < least_stroke_mm || length_mm(b) < least_stroke_mm)) {
         return corner_cost_mm + gap_mm + 1.0F - straight;
     }
     return std::nullopt;
@@ -290,7 +293,7 @@ std::vector<Joint> joints_of(const VectorDrawing& drawing)
     std::unordered_map<uint64_t, std::vector<StrokeEnd>> cells;
     std::vector<Joint> joints;
     for (uint32_t i = 0; i < strokes.size(); ++i) {
-        if (strokes[i].is_closed) {
+        if (strokes[i].is_closed || strokes[i].is_hidden) { // dashes of hidden lines stay apart
             continue;
         }
         for (const bool is_last : {false, true}) {
@@ -301,9 +304,11 @@ std::vector<Joint> joints_of(const VectorDrawing& drawing)
                     continue;
                 }
                 for (const StrokeEnd& other : found->second) {
-                    const auto cost = joint_cost(strokes[i], is_last, strokes[other.stroke], other.is_last,
-                                                 drawing.hatch_width_mm);
-                    if (cost && other.stroke != i) {
+                    const auto cost = other.stroke == i
+                                          ? std::nullopt
+                                          : joint_cost(strokes[i], is_last, strokes[other.stroke],
+                                                       other.is_last, drawing.hatch_width_mm);
+                    if (cost) {
                         joints.push_back({{i, is_last}, other, *cost});
                     }
                 }
@@ -375,11 +380,11 @@ private:
         std::optional<StrokeEnd> at = start;
         VectorStroke whole = without_points(strokes_[start.stroke]);
         whole.is_closed = strokes_[start.stroke].is_closed;
-        float longest_mm = -1.0F;
+        double longest_mm = -1.0;
         while (at) {
             const VectorStroke& part = strokes_[at->stroke];
             is_done[at->stroke] = true;
-            const float part_mm = length_mm(part, 0, part.points.size() - 1);
+            const double part_mm = length_mm(part);
             if (part_mm > longest_mm) {
                 longest_mm = part_mm;
                 whole.kind = part.kind;
@@ -427,7 +432,7 @@ void remove_scraps(VectorDrawing& drawing)
     for (uint32_t i = 0; i < drawing.strokes.size(); ++i) {
         const VectorStroke& stroke = drawing.strokes[i];
         const glm::vec2 middle = stroke.points[stroke.points.size() / 2].page_mm;
-        if (stroke.is_hidden || length_mm(stroke, 0, stroke.points.size() - 1) >= least_stroke_mm ||
+        if (stroke.is_hidden || length_mm(stroke) >= least_stroke_mm ||
             (stroke.kind != StrokeKind::hatch && !lines.has_another(i, middle, beside_mm))) {
             kept.push_back(stroke);
         }
@@ -489,15 +494,6 @@ std::vector<output::PenStroke> pen_strokes(const std::vector<VectorStroke>& stro
     return ends;
 }
 
-double length_mm(const VectorStroke& stroke)
-{
-    double sum = 0.0;
-    for (size_t i = 1; i < stroke.points.size(); ++i) {
-        sum += glm::distance(stroke.points[i - 1].page_mm, stroke.points[i].page_mm);
-    }
-    return sum;
-}
-
 /// Sorts the strokes by pen; the strokes of each pen keep their order.
 std::vector<std::vector<VectorStroke>> by_pen(const VectorDrawing& drawing)
 {
@@ -514,7 +510,7 @@ PlotterWork plotter_work(const VectorDrawing& drawing)
 {
     PlotterWork work{.strokes = drawing.strokes.size()};
     for (const VectorStroke& stroke : drawing.strokes) {
-        work.drawn_mm += length_mm(stroke);
+        work.drawn_mm += output::length_mm(stroke);
     }
     for (const auto& strokes : by_pen(drawing)) {
         std::vector<output::PenStep> order(strokes.size());

@@ -14,15 +14,15 @@ namespace estampe::output {
 /// complete. Cost: linear in points.
 void remove_overlaps(VectorDrawing& drawing);
 
-/// Joins strokes of the same ink whose ends continue each other: lines over a gap below the width of the pen,
-/// and hatching over a gap below twice this width. The pen draws over the gap. A line shorter than a
-/// millimetre is also joined to a line that it touches at a corner. Dashes of hidden lines stay apart. Cost:
-/// linear in strokes.
+/// Joins strokes of the same ink if one stroke continues the other. Two lines are joined over a gap of at
+/// most the width of the pen, and two hatching strokes over a gap of at most two widths of the pen. The
+/// joined stroke crosses the gap. A line shorter than a millimetre is also joined to a line that touches it
+/// at a corner. Dashes of hidden lines stay apart. Cost: linear in strokes.
 void join_strokes(VectorDrawing& drawing);
 
-/// Removes strokes shorter than a millimetre: all of them in hatching, and those lines that have another line
-/// beside them, within 1.5 mm. A short line that stands alone is kept, because it is the only mark of
-/// something small, such as an eye. Dashes of hidden lines stay. Cost: linear in points.
+/// Removes strokes shorter than a millimetre: hatching strokes, and lines within 1.5 mm of another line. A
+/// short line that stands alone is kept, because the line may be the only mark of something small, such as an
+/// eye. Dashes of hidden lines stay. Cost: linear in points.
 void remove_scraps(VectorDrawing& drawing);
 
 /// Cuts hidden strokes into dashes.
