@@ -71,10 +71,16 @@ struct TextureRef {
 enum class AlphaMode : uint8_t { opaque, mask, blend };
 
 /// Toon shading of a material, as in VRMC_materials_mtoon: a colour for shaded parts, and an outline with its
-/// own width and colour.
+/// own width and colour. With a shade texture, the surface has the colour `shade_color * shade_texture` in
+/// the shade. Without a shade texture, the surface has its lit colour times `shade_color` there.
 struct ToonShade {
     glm::vec3 shade_color{1.0F}; ///< Colour of the shaded parts, linear
     TextureRef shade_texture;
+    /// Added to the cosine of the angle between normal and light: more lights a larger part of the surface.
+    float shade_shift = 0.0F;
+    /// Hardness of the step between light and shade: at 1 the colours change at once. The step goes from
+    /// `shade_toony - 1` to `1 - shade_toony` of the shifted cosine.
+    float shade_toony = 0.9F;
     float outline_width_m = 0.0F;  ///< Width of the outline; 0: the style decides
     glm::vec3 outline_color{0.0F}; ///< Colour of the outline, linear
 };

@@ -79,10 +79,10 @@ void check_sections(const std::vector<Section>& sections, std::span<features::Fe
 
 } // namespace
 
-std::array<features::Feature*, 11> Features::all()
+std::array<features::Feature*, 12> Features::all()
 {
-    return {&shadows, &lighting, &occlusion, &lines,     &hatching,   &cloth,
-            &ink,     &smoke,    &clouds,    &particles, &motion_blur};
+    return {&shadows, &lighting, &occlusion, &lines,     &hatching,    &cloth,
+            &ink,     &smoke,    &clouds,    &particles, &motion_blur, &toon};
 }
 
 void Features::invalidate(features::Event event)

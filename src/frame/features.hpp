@@ -20,6 +20,7 @@
 #include "features/particles/particles.hpp"
 #include "features/shadows/shadows.hpp"
 #include "features/smoke/rising_smoke.hpp"
+#include "features/toon/toon.hpp"
 
 namespace estampe::frame {
 
@@ -35,9 +36,10 @@ struct Features {
     features::Clouds clouds;
     features::Particles particles;
     features::MotionBlur motion_blur;
+    features::Toon toon;
 
     /// All features, in the order of their sections in a film's saved state.
-    [[nodiscard]] std::array<features::Feature*, 11> all();
+    [[nodiscard]] std::array<features::Feature*, 12> all();
 
     void invalidate(features::Event event);
 };

@@ -53,7 +53,8 @@ void declare_frame(const FrameContext& context)
 
     // Steps that compute the colour under the ink, and that compose colour and ink on paper.
     const std::optional<gpu::BufferId> far_tiles = add_far_tiles(context, scene, surface);
-    Colors colors = add_colors(context, scene, surface, lit.light, screen, far_tiles);
+    const auto shade = add_shade(context, scene, visibility, surface, lit.sun);
+    Colors colors = add_colors(context, scene, surface, {lit.light, shade}, screen, far_tiles);
     colors = add_seen_through(context, scene, visibility, surface, maps, screen, colors);
     haze::HazeLayers faded = add_haze(context, scene, surface, colors.sky_wash, far_tiles,
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});

@@ -56,7 +56,7 @@ struct FrameContext {
     const FramePlan& plan;
     const SamplePlan& sample;
     const features::StyleTables& style;
-    /// Temporary list, cleared for each frame; its memory is kept for the next frame.
+    /// Temporary list, filled for each frame; its memory is kept for the next frame.
     std::vector<wash::WashVariant>& wash_variants;
 };
 

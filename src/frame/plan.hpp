@@ -19,6 +19,7 @@
 #include "features/shadows/shadows.hpp"
 #include "features/shadows/sun.hpp"
 #include "features/smoke/rising_smoke.hpp"
+#include "features/toon/toon.hpp"
 #include "frame/loaded_scene.hpp"
 #include "gpu/device.hpp"
 #include "techniques/lens/lens.glsl.h"
@@ -133,6 +134,7 @@ struct FramePlan {
     /// Side of the texture atlas for subsurface light; none: light spreads on the page.
     std::optional<uint32_t> scatter_texels;
     std::optional<SubsurfacePlan> subsurface;
+    features::ToonPlan toon; ///< plan of the colours that surfaces have in the shade
     LinePlan lines;
     FocusPlan focus;
     std::optional<shared::RippleConstants> ripples; ///< wind ripples in a terrain's sand

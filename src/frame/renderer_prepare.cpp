@@ -192,6 +192,12 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
                                  notes);
     features.hatching.ensure_strokes(device, loaded->layout, plan.strokes);
     ensure_variants(plan);
+    plan.toon = features.toon.ensure(device,
+                                     {.layout = layout,
+                                      .materials = loaded->materials,
+                                      .variants = plan.variants,
+                                      .has_sun = plan.sun.shines},
+                                     notes);
     plan.local_shadows = features.shadows.ensure_local_maps(
         device, lighting, local_map_scene(plan.page, camera, tables), notes);
     upload_lighting(plan, lighting, tables);

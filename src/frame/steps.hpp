@@ -189,14 +189,26 @@ add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 [[nodiscard]] std::optional<gpu::BufferId> add_far_tiles(const FrameContext& context, const PosedScene& scene,
                                                          const surface::Surface& surface);
 
+/// Light on visible surfaces, and the colours of the surfaces in the shade.
+struct LightAndShade {
+    gpu::ImageId light;
+    std::optional<gpu::ImageId> shade; ///< from add_shade()
+};
+
+/// Computes the colours that surfaces have in the shade, from second textures; none if no surface has a
+/// second texture. `sun` is LitPixels::sun of the surfaces.
+[[nodiscard]] std::optional<gpu::ImageId> add_shade(const FrameContext& context, const PosedScene& scene,
+                                                    gpu::BufferId visibility, const surface::Surface& surface,
+                                                    gpu::ImageId sun);
+
 /// Paints the flat colours of surfaces, and the sky behind the surfaces.
 [[nodiscard]] Colors add_colors(const FrameContext& context, const PosedScene& scene,
-                                const surface::Surface& surface, gpu::ImageId light,
+                                const surface::Surface& surface, const LightAndShade& lit,
                                 const SeenThrough& screen, const std::optional<gpu::BufferId>& far_tiles);
 
 /// Paints a lit surface in its style variants' colours, and `background` at pixels without a surface.
 [[nodiscard]] gpu::ImageId add_paint(const FrameContext& context, const PosedScene& scene,
-                                     const surface::Surface& surface, gpu::ImageId light,
+                                     const surface::Surface& surface, const LightAndShade& lit,
                                      const std::optional<gpu::ImageId>& background,
                                      const SeenThrough* screen = nullptr);
 

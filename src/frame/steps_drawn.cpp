@@ -10,9 +10,12 @@ namespace {
 const std::vector<wash::WashVariant>& wash_variants(const FrameContext& context)
 {
     std::vector<wash::WashVariant>& variants = context.wash_variants;
-    variants.clear();
-    for (const features::StyleTables& style : context.plan.variants.styles) {
-        variants.push_back({.style = style.wash, .tone = light::tone_constants(style.tone)});
+    const std::vector<features::StyleTables>& styles = context.plan.variants.styles;
+    // Assigning to the variants of the previous frame reuses the memory of their texts.
+    variants.resize(styles.size());
+    for (size_t i = 0; i < styles.size(); ++i) {
+        variants[i].style = styles[i].wash;
+        variants[i].tone = light::tone_constants(styles[i].tone);
     }
     return variants;
 }
@@ -287,8 +290,35 @@ std::optional<gpu::BufferId> add_far_tiles(const FrameContext& context, const Po
         sky_shows_from_m(context));
 }
 
+std::optional<gpu::ImageId> add_shade(const FrameContext& context, const PosedScene& scene,
+                                      gpu::BufferId visibility, const surface::Surface& surface,
+                                      gpu::ImageId sun)
+{
+    if (!context.plan.toon.is_drawn) {
+        return std::nullopt;
+    }
+    features::Toon& toon = context.features.toon;
+    return surface::add_shade(context.graph, {.frame = scene.frame,
+                                              .visibility = visibility,
+                                              .triangles = scene.meshes.triangles,
+                                              .posed_vertices = scene.meshes.posed_vertices,
+                                              .draws = scene.meshes.draws,
+                                              .rest_vertices = scene.meshes.rest_vertices,
+                                              .records = toon.records(context.graph),
+                                              .textures = scene.meshes.textures,
+                                              .pictures = toon.pictures(context.graph),
+                                              .draw = surface.draw,
+                                              .normal = surface.normal,
+                                              .sun = sun,
+                                              .towards_sun = context.plan.sun.towards,
+                                              .has_steps = context.plan.toon.has_steps,
+                                              .texture_classes = scene.meshes.texture_classes,
+                                              .lists_tiles = context.device.execution().lists_tiles(),
+                                              .size_px = context.sample.size_px});
+}
+
 Colors add_colors(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface,
-                  gpu::ImageId light, const SeenThrough& screen,
+                  const LightAndShade& lit, const SeenThrough& screen,
                   const std::optional<gpu::BufferId>& far_tiles)
 {
     const FramePlan& plan = context.plan;
@@ -327,9 +357,9 @@ Colors add_colors(const FrameContext& context, const PosedScene& scene, const su
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;
     }
     const bool is_tinted = screen.is_there && context.style.transparency.mode == transparency::Mode::ink;
-    const gpu::ImageId wash = add_paint(context, scene, surface, light,
-                                        plan.page.shows_sky ? std::optional(sky.wash) : std::nullopt,
-                                        is_tinted ? &screen : nullptr);
+    const gpu::ImageId wash =
+        add_paint(context, scene, surface, lit, plan.page.shows_sky ? std::optional(sky.wash) : std::nullopt,
+                  is_tinted ? &screen : nullptr);
     return {.wash = wash,
             .sky_ink = sky.ink,
             .sky_wash = sky.wash,
@@ -338,7 +368,7 @@ Colors add_colors(const FrameContext& context, const PosedScene& scene, const su
 }
 
 gpu::ImageId add_paint(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface,
-                       gpu::ImageId light, const std::optional<gpu::ImageId>& background,
+                       const LightAndShade& lit, const std::optional<gpu::ImageId>& background,
                        const SeenThrough* screen)
 {
     return wash::add_wash(context.graph,
@@ -346,11 +376,12 @@ gpu::ImageId add_paint(const FrameContext& context, const PosedScene& scene, con
                            .draw = surface.draw,
                            .depth = surface.depth,
                            .color = surface.color,
-                           .light = light,
+                           .light = lit.light,
                            .draws = scene.meshes.draws,
                            .materials = scene.meshes.materials,
                            .screen = screen != nullptr ? screen->images.color : surface.color,
                            .has_screen = screen != nullptr,
+                           .shade = lit.shade,
                            .background = background.value_or(surface.color),
                            .has_background = background.has_value(),
                            .keeps_cover = context.style.paper.transparent == paper::Transparency::background,

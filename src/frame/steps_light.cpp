@@ -292,8 +292,8 @@ light::LitPixels add_light(const FrameContext& context, const PosedScene& scene,
     inputs.occludes_all = feeds == occlusion::Feeds::tone;
     inputs.has_emissive = plan.needs.emissive;
     inputs.keeps_strongest = plan.light.leads_strokes;
-    inputs.keeps_sun =
-        plan.lines.of_shadows || (context.job.linear != nullptr && context.job.linear->has_layers());
+    inputs.keeps_sun = plan.lines.of_shadows || plan.toon.has_steps ||
+                       (context.job.linear != nullptr && context.job.linear->has_layers());
     light::LitPixels lit = light::add_light(context.graph, inputs);
     lit.light = add_subsurface(context, scene, visibility, surface, before.maps, lit.light);
     if (plan.light.meters_page) {

@@ -249,7 +249,10 @@ gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, g
     const surface::Surface surface = add_surface(context, scene, visibility);
     light::LightInputs inputs = light_inputs(context, scene, surface, maps);
     inputs.has_emissive = context.plan.needs.emissive;
-    return add_paint(context, scene, surface, light::add_light(context.graph, inputs).light, background);
+    inputs.keeps_sun = context.plan.toon.has_steps;
+    const light::LitPixels lit = light::add_light(context.graph, inputs);
+    const auto shade = add_shade(context, scene, visibility, surface, lit.sun);
+    return add_paint(context, scene, surface, {lit.light, shade}, background);
 }
 
 gpu::ImageId add_behind(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,

@@ -36,16 +36,22 @@ UvFootprint transform_uv(TextureSlot slot, UvFootprint f)
     return UvFootprint(linear * f.uv + slot.offset, linear * f.dx, linear * f.dy);
 }
 
+// Place of a texel in an array image. `texel_uv` is the size of a texel of the sampled mip level.
+vec3 texture_place(TextureSlot slot, vec2 uv, float texel_uv)
+{
+    float half_texel = min(0.5 * texel_uv, 0.5);
+    return vec3(wrap_coordinate(uv.x, (slot.location >> 25) & 3u, half_texel),
+                wrap_coordinate(uv.y, (slot.location >> 27) & 3u, half_texel),
+                float((slot.location >> 4) & 0xfffffu));
+}
+
 vec4 sample_texture(TextureSlot slot, UvFootprint footprint)
 {
     UvFootprint f = transform_uv(slot, footprint);
     uint size_class = slot.location & 15u;
     // Texel size of the sampled mip level, which is about the size of the pixel's footprint.
     float texel_uv = max(1.0 / float(256u << size_class), max(length(f.dx), length(f.dy)));
-    float half_texel = min(0.5 * texel_uv, 0.5);
-    vec3 place = vec3(wrap_coordinate(f.uv.x, (slot.location >> 25) & 3u, half_texel),
-                      wrap_coordinate(f.uv.y, (slot.location >> 27) & 3u, half_texel),
-                      float((slot.location >> 4) & 0xfffffu));
+    vec3 place = texture_place(slot, f.uv, texel_uv);
     vec4 texel = vec4(1.0);
     if ((TEXTURE_CLASSES & 1u) != 0u && size_class == 0u) {
         texel = textureGrad(texture_class_0, place, f.dx, f.dy);

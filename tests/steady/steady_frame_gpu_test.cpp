@@ -16,6 +16,7 @@
 #include <estampe/shapes.hpp>
 
 #include "steady/counted_heap.hpp"
+#include "support/folder.hpp"
 
 namespace estampe {
 namespace {
@@ -106,6 +107,26 @@ TEST(SteadyFrame, AsksNothingOfTheHeap)
                     static_cast<unsigned long>(most), steady.cpu_ms.front(),
                     steady.cpu_ms[steady.cpu_ms.size() / 2]);
         EXPECT_EQ(most, own_requests) << name;
+    }
+}
+
+/// Two textures, of the scene and of the style, whose path is too long for a small text.
+TEST(SteadyFrame, AsksNothingOfTheHeapForShadeTextures)
+{
+    const test::Folder folder;
+    const Image violet{.width = 1, .height = 1, .rgba = {90, 60, 150, 255}};
+    save_png(violet, folder / "shade-of-a-long-name.png");
+    Scene scene = balls();
+    scene.textures.push_back({.image = violet});
+    scene.materials[0].toon.emplace().shade_texture.texture = 0;
+    Style pictured;
+    pictured.set("wash.shade_texture=" + (folder / "shade-of-a-long-name.png").string());
+    for (const Style& style : {Style(), pictured}) {
+        Renderer renderer({.device = "cpu"});
+        renderer.set_scene(scene);
+        const Steady steady = draw_on(renderer, style, [](int) { return 0.0; });
+        EXPECT_EQ(*std::ranges::max_element(steady.requests), own_requests);
+        EXPECT_NE(renderer.graph_dot().find("surface/shade"), std::string::npos);
     }
 }
 

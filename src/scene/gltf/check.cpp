@@ -277,7 +277,8 @@ Schemas material_schemas()
           number("attenuationDistance", 0.0), numbers("attenuationColor", 3, 0.0, 1e6)}},
         {"mtoon",
          {numbers("shadeColorFactor", 3, 0.0, 1e6), object("shadeMultiplyTexture", "texture info"),
-          choice("outlineWidthMode", "none worldCoordinates screenCoordinates"),
+          number("shadingShiftFactor"), object("shadingShiftTexture", "texture info"),
+          number("shadingToonyFactor"), choice("outlineWidthMode", "none worldCoordinates screenCoordinates"),
           number("outlineWidthFactor", 0.0), numbers("outlineColorFactor", 3, 0.0, 1e6)}},
     };
 }

@@ -125,9 +125,48 @@ TEST(GltfMaterial, mtoon)
     EXPECT_EQ(scene.materials[0].toon->shade_texture.uv_set, 1U);
     EXPECT_EQ(scene.materials[0].toon->outline_width_m, 0.005F);
     EXPECT_EQ(scene.materials[0].toon->outline_color, glm::vec3(0, .5F, 1));
+    EXPECT_EQ(scene.materials[0].toon->shade_shift, 0.0F) << "the extension's own values";
+    EXPECT_EQ(scene.materials[0].toon->shade_toony, 0.9F);
     file.document["materials"][0]["extensions"]["VRMC_materials_mtoon"]["outlineWidthMode"] = "none";
     scene = file.load();
     EXPECT_EQ(scene.materials[0].toon->outline_width_m, 0.0F);
+}
+
+TEST(GltfMaterial, mtoon_says_where_the_shade_begins_and_how_its_texture_lies)
+{
+    TestFile file = textured_file(encode_png(two_pixels()));
+    json& material = file.document["materials"][0];
+    material["extensions"]["KHR_materials_unlit"] = json::object();
+    json& mtoon = material["extensions"]["VRMC_materials_mtoon"];
+    mtoon = json::parse(R"({"specVersion": "1.0", "shadingShiftFactor": -0.25, "shadingToonyFactor": 0.5,
+        "shadeMultiplyTexture": {"index": 0, "extensions": {
+            "KHR_texture_transform": {"offset": [0.5, 0.25], "scale": [2, 3], "texCoord": 1}}}})");
+    Scene scene = file.load();
+    ASSERT_TRUE(scene.materials[0].toon.has_value());
+    const ToonShade& toon = *scene.materials[0].toon;
+    EXPECT_EQ(toon.shade_shift, -0.25F);
+    EXPECT_EQ(toon.shade_toony, 0.5F);
+    EXPECT_EQ(toon.shade_texture.uv_set, 1U);
+    EXPECT_EQ(toon.shade_texture.uv_transform * glm::vec3(1, 1, 1), glm::vec3(2.5F, 3.25F, 1));
+    EXPECT_FALSE(scene.materials[0].unlit) << "unlit is for programs that do not know the toon material";
+    EXPECT_TRUE(scene.warnings.empty());
+    mtoon["shadingToonyFactor"] = 2;
+    mtoon["shadingShiftTexture"] = {{"index", 0}, {"scale", 1}};
+    scene = file.load();
+    EXPECT_EQ(scene.materials[0].toon->shade_toony, 1.0F);
+    ASSERT_EQ(scene.warnings.size(), 2U);
+    EXPECT_NE(scene.warnings[0].find("shadingToonyFactor: is 2, outside 0 to 1"), std::string::npos);
+    EXPECT_NE(scene.warnings[1].find("shadingShiftTexture: is not looked up"), std::string::npos);
+}
+
+TEST(GltfMaterial, a_shade_texture_that_cannot_be_read_is_left_out)
+{
+    TestFile file = textured_file({std::byte{1}, std::byte{2}});
+    file.document["materials"][0]["extensions"]["VRMC_materials_mtoon"] =
+        json::parse(R"({"specVersion": "1.0", "shadeMultiplyTexture": {"index": 0}})");
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.materials[0].toon->shade_texture.texture, no_index);
+    EXPECT_EQ(scene.warnings.size(), 1U);
 }
 
 TEST(GltfMaterial, embedded_texture)

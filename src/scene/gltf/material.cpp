@@ -158,6 +158,12 @@ ToonShade toon_shade(Data& data, TextureTable& textures, const Extension& mtoon,
     toon.shade_color = mtoon.vector<3>("shadeColorFactor", glm::vec3(1.0F));
     toon.shade_texture =
         texture_ref(data, textures, mtoon.texture("shadeMultiplyTexture"), pointer + "/shadeMultiplyTexture");
+    toon.shade_shift = mtoon.number("shadingShiftFactor", 0.0F);
+    toon.shade_toony = fraction(data, static_cast<double>(mtoon.number("shadingToonyFactor", 0.9F)),
+                                pointer + "/shadingToonyFactor");
+    if (mtoon.texture("shadingShiftTexture").index >= 0) {
+        data.warn(pointer + "/shadingShiftTexture", "is not looked up; the factor holds all over");
+    }
     const std::string mode = mtoon.text("outlineWidthMode");
     if (mode == "worldCoordinates") {
         toon.outline_width_m = mtoon.number("outlineWidthFactor", 0.0F);
@@ -200,7 +206,10 @@ std::optional<Transmission> transmission_of(Data& data, const tinygltf::Material
 void apply_extensions(Data& data, TextureTable& textures, const tinygltf::Material& source,
                       const std::string& pointer, Material& material)
 {
-    material.unlit = source.extensions.contains("KHR_materials_unlit");
+    // Files give toon materials KHR_materials_unlit as well, for programs that do not read
+    // VRMC_materials_mtoon.
+    material.unlit = source.extensions.contains("KHR_materials_unlit") &&
+                     !source.extensions.contains("VRMC_materials_mtoon");
     if (const auto strength = extension(source.extensions, "KHR_materials_emissive_strength")) {
         material.emissive *= strength->number("emissiveStrength", 1.0F);
     }
@@ -251,11 +260,14 @@ Material import_material(Data& data, TextureTable& textures, const tinygltf::Mat
 
 /// Removes the textures of a material whose picture could not be read. A picture that could not be read was
 /// replaced by a white pixel. As a normal map, the white pixel would give wrong normals; as an emissive
-/// texture, it would make the whole surface glow.
+/// texture, it would make the whole surface glow; as a shade texture, it would make the shade white.
 void leave_out_lost(const TextureTable& textures, Material& material)
 {
     if (textures.is_lost(material.normal_texture.texture)) {
         material.normal_texture = {};
+    }
+    if (material.toon && textures.is_lost(material.toon->shade_texture.texture)) {
+        material.toon->shade_texture = {};
     }
     if (textures.is_lost(material.emissive_texture.texture)) {
         material.emissive_texture = {};

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <estampe/error.hpp>
+
 #include "core/color.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/surface/mips.hpp"
@@ -64,7 +66,26 @@ float linear(uint8_t encoded)
     return linear_from_srgb(static_cast<float>(encoded) / 255.0F);
 }
 
-/// Mean linear colour of a texture, over about four thousand texels; transparent texels do not count.
+/// The occlusion texture of a material; empty if the material is unlit or the texture's strength is zero.
+TextureRef occlusion_of(const Material& material)
+{
+    return material.unlit || material.occlusion_strength <= 0.0F ? TextureRef{} : material.occlusion_texture;
+}
+
+uint32_t flags_of(const Material& material)
+{
+    return (material.unlit ? shared::material_unlit : 0U) |
+           (material.emissive != glm::vec3(0.0F) ? shared::material_emissive : 0U);
+}
+
+/// The second texture of a toon material, for the shade; empty if the material has none.
+TextureRef shade_of(const Material& material)
+{
+    return material.toon ? material.toon->shade_texture : TextureRef{};
+}
+
+} // namespace
+
 glm::vec3 mean_color(const Image& image)
 {
     const size_t texels = static_cast<size_t>(image.width) * image.height;
@@ -78,20 +99,6 @@ glm::vec3 mean_color(const Image& image)
     }
     return sum.w > 0.0F ? glm::vec3(sum) / sum.w : glm::vec3(1.0F);
 }
-
-/// The occlusion texture of a material; empty if the material is unlit or the texture's strength is zero.
-TextureRef occlusion_of(const Material& material)
-{
-    return material.unlit || material.occlusion_strength <= 0.0F ? TextureRef{} : material.occlusion_texture;
-}
-
-uint32_t flags_of(const Material& material)
-{
-    return (material.unlit ? shared::material_unlit : 0U) |
-           (material.emissive != glm::vec3(0.0F) ? shared::material_emissive : 0U);
-}
-
-} // namespace
 
 TexturePlan plan_textures(const Scene& scene, uint32_t most_layers)
 {
@@ -118,6 +125,7 @@ TexturePlan plan_textures(const Scene& scene, uint32_t most_layers)
         use(material.base_color_texture);
         use(material.normal_texture);
         use(occlusion_of(material));
+        use(shade_of(material));
     }
     plan.left_out = static_cast<uint32_t>(left_out.size());
     return plan;
@@ -195,10 +203,64 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
     return records;
 }
 
+std::vector<shared::ShadeRecord> shade_records(const Scene& scene, const TexturePlan& plan)
+{
+    const auto is_drawn = [&](const Material& material) {
+        const Index texture = shade_of(material).texture;
+        return texture != no_index && plan.location[texture] != shared::no_texture;
+    };
+    std::vector<shared::ShadeRecord> records;
+    if (std::ranges::none_of(scene.materials, is_drawn)) {
+        return records;
+    }
+    for (const Material& material : scene.materials) {
+        shared::ShadeRecord& record = records.emplace_back(shared::ShadeRecord{});
+        if (is_drawn(material)) {
+            const ToonShade& toon = *material.toon;
+            record.texture = slot(scene, plan, toon.shade_texture);
+            record.color = toon.shade_color;
+            record.flags = shared::shade_is_there | shared::shade_has_step;
+            record.mean_color =
+                toon.shade_color * mean_color(scene.textures[toon.shade_texture.texture].image);
+            record.step_from = toon.shade_toony - 1.0F - toon.shade_shift;
+            record.step_to = 1.0F - toon.shade_toony - toon.shade_shift;
+        }
+    }
+    return records;
+}
+
+gpu::Image upload_pictures(gpu::Device& device, std::vector<Image> pictures)
+{
+    if (pictures.size() > device.limits().maxImageArrayLayers) {
+        throw Error(fmt::format("the style names {} pictures of shaded surfaces", pictures.size()), {},
+                    fmt::format("the device holds up to {}", device.limits().maxImageArrayLayers));
+    }
+    Scene scene;
+    std::vector<Index> layers;
+    size_t size_class = 0;
+    for (Image& picture : pictures) {
+        size_class = std::max(size_class, class_of(picture));
+        layers.push_back(static_cast<Index>(layers.size()));
+        scene.textures.push_back({.image = std::move(picture)});
+    }
+    const uint32_t side = texture_class_px[size_class];
+    gpu::Image image(device, "pictures",
+                     {.width = side,
+                      .height = side,
+                      .format = gpu::Format::rgba8,
+                      .layers = static_cast<uint32_t>(layers.size()),
+                      .mips = static_cast<uint32_t>(std::bit_width(side))},
+                     true);
+    MipQueue queue(scene, layers, side);
+    gpu::upload_layers(device, image, [&](uint32_t layer) { return queue.take(layer); });
+    return image;
+}
+
 MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene, const TexturePlan& plan)
 {
     MaterialBuffers buffers;
     buffers.records = material_records(scene, plan);
+    buffers.shades = shade_records(scene, plan);
     buffers.materials = gpu::upload_buffer(device, "materials", buffers.records);
     for (size_t size_class = 0; size_class < texture_class_px.size(); ++size_class) {
         const std::vector<Index>& layers = plan.layers[size_class];

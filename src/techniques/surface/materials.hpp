@@ -12,6 +12,7 @@
 
 #include "gpu/resources.hpp"
 #include "shaders/scene.glsl.h"
+#include "techniques/surface/shade.glsl.h"
 #include "techniques/surface/surface.hpp"
 
 namespace estampe::surface {
@@ -20,11 +21,12 @@ inline constexpr std::array<uint32_t, 5> texture_class_px{256, 512, 1024, 2048, 
 
 struct MaterialBuffers {
     std::vector<shared::MaterialRecord> records; ///< one record per material, then the ground's record
+    std::vector<shared::ShadeRecord> shades;     ///< result of shade_records()
     gpu::Buffer materials;                       ///< copy of `records` on the device
     std::array<gpu::Image, 5> textures;
 };
 
-/// The array layer of each texture of `scene` that a colour, normal or occlusion uses; `layers` lists
+/// The array layer of each texture of `scene` that a colour, shade, normal or occlusion uses; `layers` lists
 /// textures by size class.
 struct TexturePlan {
     /// Per texture: size class in bits 0-3, layer in 4-23; no_texture if unused.
@@ -44,6 +46,18 @@ struct TexturePlan {
 /// The records of all materials, then one for the ground.
 [[nodiscard]] std::vector<shared::MaterialRecord> material_records(const Scene& scene,
                                                                    const TexturePlan& plan);
+
+/// Colours in the shade, one record per material; a record without flags for a material that has no shade
+/// texture. Empty if no material has one.
+[[nodiscard]] std::vector<shared::ShadeRecord> shade_records(const Scene& scene, const TexturePlan& plan);
+
+/// Mean linear colour of a picture, over about four thousand texels; transparent texels do not count.
+[[nodiscard]] glm::vec3 mean_color(const Image& image);
+
+/// Uploads pictures as the layers of one array image, each resized to the size class of the largest picture,
+/// with all mip levels. Throws Error when memory runs out, or when there are more pictures than the device
+/// has layers. Cost: as upload_materials().
+[[nodiscard]] gpu::Image upload_pictures(gpu::Device& device, std::vector<Image> pictures);
 
 /// Uploads materials, and textures resized to the size of their class with all mip levels. `plan` must
 /// respect the layer limit of `device`. Throws Error when memory runs out. Cost: about 30 ms for a texture of

@@ -4,8 +4,12 @@
 #include "gpu/transfers.hpp"
 #include "shaders/far_tiles_comp.hpp"
 #include "shaders/resolve_comp.hpp"
+#include "shaders/shade.glsl.h"
+#include "shaders/shade_comp.hpp"
+#include "shaders/shade_tiles_comp.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/surface/resolve_variant.glsl.h"
+#include "techniques/surface/shade.glsl.h"
 
 namespace estampe::surface {
 
@@ -40,6 +44,43 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
                  (needs.occlusion ? shared::resolve_has_occlusion : 0U));
     pass.push(in.strokes_per_m).dispatch_over_page(in.size_px.x, in.size_px.y);
     return {draw, depth, normal, color, coordinate, footprint};
+}
+
+gpu::ImageId add_shade(gpu::Graph& graph, const ShadeInputs& in)
+{
+    gpu::ImageId image = graph.image(
+        "surface/shade", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f});
+    std::optional<gpu::BufferId> tiles;
+    if (in.lists_tiles) {
+        const glm::uvec2 tile_count = (in.size_px + 7U) / 8U;
+        const gpu::BufferId none = gpu::add_empty_tile_list(graph, "tiles in shade", in.size_px);
+        auto listing = graph.compute("surface/shade tiles", shaders::shade_tiles_comp);
+        listing.sample(in.draw).sample(in.records);
+        tiles = listing.modify(none);
+        listing.push(in.size_px).dispatch_over(tile_count.x, tile_count.y);
+        image = gpu::add_fill(graph, "surface/shade blank", image,
+                              glm::vec4(0.0F, 0.0F, 0.0F, shared::shade_absent));
+    }
+    auto pass = graph.compute("surface/shade", shaders::shade_comp);
+    pass.uniform(in.frame).sample(in.visibility, gpu::Format::rg32ui);
+    pass.sample(in.triangles).sample(in.posed_vertices).sample(in.draws);
+    pass.sample(in.rest_vertices).sample(in.records);
+    for (const gpu::ImageId texture : in.textures) {
+        pass.sample(texture, gpu::Sampling::linear_repeat);
+    }
+    pass.sample(in.pictures.value_or(in.textures.front()), gpu::Sampling::linear_repeat);
+    pass.sample(in.normal).sample(in.sun);
+    const gpu::ImageId shade = tiles ? pass.modify(image) : pass.write(image);
+    pass.read(tiles.value_or(in.visibility));
+    pass.variant(in.texture_classes | (in.pictures ? shared::shade_has_pictures : 0U) |
+                 (in.has_steps ? shared::shade_has_steps : 0U) | (tiles ? shared::shade_has_tiles : 0U));
+    pass.push(shared::ShadeConstants{.towards_sun = in.towards_sun});
+    if (tiles) {
+        pass.dispatch_indirect(*tiles);
+    } else {
+        pass.dispatch_over(in.size_px.x, in.size_px.y);
+    }
+    return shade;
 }
 
 gpu::BufferId add_far_tiles(gpu::Graph& graph, const FarInputs& in, float from_m)

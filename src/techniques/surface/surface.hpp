@@ -4,6 +4,7 @@
 // Converts the visibility buffer to images of surface attributes, which all later techniques read.
 
 #include <array>
+#include <optional>
 
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
@@ -60,6 +61,42 @@ struct Surface {
 /// Source  Schied and Dachsbacher, "Deferred Attribute Interpolation for Memory-Efficient Deferred Shading",
 ///         2015
 [[nodiscard]] Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in);
+
+struct ShadeInputs {
+    gpu::BufferId frame; ///< buffer with a FrameGlobals record
+    gpu::BufferId visibility;
+    gpu::BufferId triangles;
+    gpu::BufferId posed_vertices;
+    gpu::BufferId draws;
+    gpu::BufferId rest_vertices;
+    gpu::BufferId records; ///< one ShadeRecord per draw call, see surface/shade.glsl.h
+    std::array<gpu::ImageId, 5> textures;
+    std::optional<gpu::ImageId> pictures; ///< array of the pictures that a style names; none without pictures
+    gpu::ImageId draw;                    ///< Surface::draw of the visible surfaces
+    gpu::ImageId normal;                  ///< Surface::normal of the visible surfaces
+    /// r32f: share of the sun that is visible, negative where it is unknown; read only with `has_steps`.
+    gpu::ImageId sun;
+    glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
+    bool has_steps = false; ///< records with a step of their own decide by the sun where the shade begins
+    uint32_t texture_classes = 0;
+    /// The work is done only in tiles of 8 x 8 pixels with such surfaces, which are listed first. On a CPU,
+    /// an empty pixel costs as much as any other.
+    bool lists_tiles = false;
+    glm::uvec2 size_px{0};
+};
+
+/// Adds a pass that computes the colour of visible surfaces in the shade, for cel shading with two textures.
+/// With `has_steps`, a surface with a step of its own changes from shade to light where
+/// `clamp((c - from) / (to - from), 0, 1)` rises from 0 to 1. Here c is the cosine of incidence, and -1 in a
+/// cast shadow.
+///
+/// Writes  rgba16f: linear colour in the shade; alpha is the share of the lit colour, or one of the values of
+///         shaders/shade.glsl.h
+/// Cost    one full-screen dispatch; 8 bytes written per pixel. With `lists_tiles` a clear of the image, a
+/// small
+///         dispatch that lists tiles, and a dispatch over these tiles
+/// Source  the step of VRMC_materials_mtoon 1.0
+[[nodiscard]] gpu::ImageId add_shade(gpu::Graph& graph, const ShadeInputs& in);
 
 struct FarInputs {
     gpu::BufferId frame; ///< buffer with a FrameGlobals record

@@ -11,6 +11,7 @@
 #include "shaders/surface_images.glsl"
 #include "shaders/scene.glsl.h"
 #include "shaders/noise.glsl"
+#include "shaders/shade.glsl.h"
 #include "shaders/tone.glsl"
 #include "techniques/wash/wash.glsl.h"
 
@@ -37,6 +38,9 @@ layout(binding = 8) uniform sampler2D screen_image;
 layout(binding = 9, rgba16f) writeonly uniform image2D out_wash;
 layout(binding = 10) uniform usamplerBuffer variant_texels; // style variant of each draw call
 
+// Linear colour in the shade; alpha as in shaders/shade.glsl.h.
+layout(binding = 11) uniform sampler2D shade_image;
+
 layout(push_constant, scalar) uniform Constants
 {
     WashConstants constants;
@@ -48,6 +52,20 @@ const bool has_screen = (variant & wash_has_screen) != 0u;
 const bool has_background = (variant & wash_has_background) != 0u;
 const bool is_of_one_variant = (variant & wash_is_of_one_variant) != 0u;
 const bool keeps_cover = (variant & wash_keeps_cover) != 0u;
+const bool has_shade = (variant & wash_has_shade) != 0u;
+
+// The paint for a colour: the style's saturation, dark colours lifted, and greys paler.
+vec3 paint_of(vec3 color)
+{
+    color = mix(vec3(luminance(color)), color, constants.saturation);
+    float largest = max(max(color.r, color.g), max(color.b, 1e-3));
+    float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
+    // Dark colours are painted pale, because strokes show how dark an object is.
+    float brightness = luminance(color);
+    float lifted = length(vec2(brightness, constants.least));
+    color = min((color + 1e-4) * (lifted / (brightness + 1e-4)), vec3(1.0));
+    return mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
+}
 
 float darkness_at(ivec2 pixel)
 {
@@ -107,15 +125,7 @@ void main()
     if (sees_draw(word)) {
         uint material = draw_at(draw_of(word)).material;
         vec4 stored = texelFetch(color_image, pixel, 0);
-        vec3 color = mix(mean_color_of(material), stored.rgb * stored.rgb, constants.detail);
-        color = mix(vec3(luminance(color)), color, constants.saturation);
-        float largest = max(max(color.r, color.g), max(color.b, 1e-3));
-        float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
-        // Dark colours are painted pale, because strokes show how dark an object is.
-        float brightness = luminance(color);
-        float lifted = length(vec2(brightness, constants.least));
-        color = min((color + 1e-4) * (lifted / (brightness + 1e-4)), vec3(1.0));
-        color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
+        vec3 color = paint_of(mix(mean_color_of(material), stored.rgb * stored.rgb, constants.detail));
         vec4 light = texelFetch(light_image, pixel, 0);
         Darkness dark = darkness_around(pixel);
         // The shadow's edge wavers a little, like an edge painted with a wet brush. Where light falls off
@@ -128,11 +138,19 @@ void main()
         }
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark.here + waver);
+        vec3 tint = constants.shadow_tint * shade_color_of(material);
+        if (has_shade) {
+            vec4 shade = texelFetch(shade_image, pixel, 0);
+            bool is_there = shade.a != shade_absent;
+            shadow = is_there && shade.a != shade_by_wash ? 1.0 - shade.a : shadow;
+            color = is_there ? mix(color, paint_of(shade.rgb), shadow) : color;
+            tint = is_there ? vec3(1.0) : tint;
+        }
         vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // the small addend keeps black light without a hue
         // Paint that should be nearly grey takes no hue from coloured light.
         float hue_share = 0.5 * smoothstep(0.0, 0.2, constants.saturation);
-        color *= mix(vec3(1.0), constants.shadow_tint * shade_color_of(material), shadow) *
-                 mix(vec3(1.0), hue, hue_share) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
+        color *= mix(vec3(1.0), tint, shadow) * mix(vec3(1.0), hue, hue_share) *
+                 mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
         if (is_paper(word)) {
             color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, constants.ground_shadow), shadow);
         }

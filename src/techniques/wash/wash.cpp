@@ -23,10 +23,12 @@ gpu::ImageId add_variant(gpu::Graph& graph, const WashInputs& in, const WashVari
             : pass.write(graph.image(
                   "wash", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     pass.sample(in.variant_of_draw.value_or(in.draws), gpu::Format::r32ui);
-    pass.variant(
-        (style.air > 0.0F ? shared::wash_has_air : 0U) | (in.has_screen ? shared::wash_has_screen : 0U) |
-        (in.has_background ? shared::wash_has_background : 0U) |
-        (before ? shared::wash_is_of_one_variant : 0U) | (in.keeps_cover ? shared::wash_keeps_cover : 0U));
+    pass.sample(in.shade.value_or(in.color));
+    pass.variant((style.air > 0.0F ? shared::wash_has_air : 0U) |
+                 (in.has_screen ? shared::wash_has_screen : 0U) |
+                 (in.has_background ? shared::wash_has_background : 0U) |
+                 (before ? shared::wash_is_of_one_variant : 0U) |
+                 (in.keeps_cover ? shared::wash_keeps_cover : 0U) | (in.shade ? shared::wash_has_shade : 0U));
     pass.push(shared::WashConstants{.tone = variant.tone,
                                     .shadow_tint = style.shadow_tint,
                                     .shadow_from = style.shadow_from,
@@ -91,6 +93,17 @@ const style::Table<WashStyle>& wash_table()
             .number("light_tint", &WashStyle::light_tint, {0.0F, 1.0F}, "",
                     "How much the colour of light changes the painted colours. 0 treats all light as white, "
                     "1 takes on the full colour of the light.")
+            .file_or_name(
+                "shade_texture", &WashStyle::shade_texture, {shade_of_material, no_shade},
+                "Picture of the colours that surfaces have in the shade, in place of wash.shadow_tint. "
+                "material: as in the scene's file (MToon); none: no picture; or a picture file, "
+                "placed on the surface like its base colour.")
+            .choice(
+                "shade_step", &WashStyle::shade_step,
+                {{"material", ShadeStep::material}, {"wash", ShadeStep::wash}},
+                "What decides where a surface with wash.shade_texture is in the shade. material: the step "
+                "of an MToon material under the sun; wash, or without such a step: wash.shadow_from and "
+                "wash.softness.")
             .by_surface_but({});
     return table;
 }

@@ -16,6 +16,7 @@ SHARED_CONSTANT uint wash_has_background = 1U << 2U;
 // Only surfaces of the variant `style_variant` are painted.
 SHARED_CONSTANT uint wash_is_of_one_variant = 1U << 3U;
 SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U; // the wash stores the coverage by objects in alpha
+SHARED_CONSTANT uint wash_has_shade = 1U << 5U;   // some surface has a second colour for the shade
 
 struct WashConstants {
     ToneConstants tone;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gpu/graph/graph.hpp"
@@ -9,6 +10,15 @@
 #include "style/parameter.hpp"
 
 namespace estampe::wash {
+
+/// Value of WashStyle::shade_texture: the texture that the material of a scene's file has for the shade.
+inline constexpr const char* shade_of_material = "material";
+
+/// Value of WashStyle::shade_texture: surfaces have no texture for the shade.
+inline constexpr const char* no_shade = "none";
+
+/// What decides where a surface with a shade texture changes from light to shade.
+enum class ShadeStep : uint8_t { material, wash };
 
 struct WashStyle {
     float strength = 0.8F;
@@ -21,6 +31,9 @@ struct WashStyle {
     float softness = 0.03F;
     float ground_shadow = 0.6F;
     float light_tint = 0.0F;
+    /// `shade_of_material`, `no_shade`, or the path of a picture.
+    std::string shade_texture = shade_of_material;
+    ShadeStep shade_step = ShadeStep::material;
     float air = 0.0F; ///< strength of the tint of distant colours; value of the style's key haze.tint
     /// Colour of the air that tints distant surfaces; value of haze.tint_color.
     glm::vec3 air_color = style::srgb(0xf0dca2);
@@ -40,6 +53,8 @@ struct WashInputs {
     /// Colour and coverage of transparent surfaces; one texel without transparent surfaces.
     gpu::ImageId screen;
     bool has_screen = false;
+    /// rgba16f: linear colour of surfaces in the shade, and in alpha a value as in shaders/shade.glsl.h.
+    std::optional<gpu::ImageId> shade;
     gpu::ImageId background;    ///< wash of the background (sky), where no surface is visible
     bool has_background = true; ///< false: the background is bare paper
     bool keeps_cover = false;   ///< the wash stores the coverage by objects in alpha

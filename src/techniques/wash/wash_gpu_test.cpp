@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include "features/common/view.hpp"
 #include "gpu/resources.hpp"
 #include "shaders/scene.glsl.h"
+#include "shaders/shade.glsl.h"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 
@@ -31,6 +33,7 @@ struct Page {
     test::Painter<glm::vec4> light = [](glm::uvec2) { return glm::vec4(1.0F); };
     test::Painter<glm::vec4> background = [](glm::uvec2) { return glm::vec4(1.0F); };
     test::Painter<glm::vec4> screen = [](glm::uvec2) { return glm::vec4(0.0F); };
+    std::optional<test::Painter<glm::vec4>> shade;
     glm::uvec2 background_size_px{1};
     bool has_background = true;
     bool has_screen = false;
@@ -67,6 +70,10 @@ std::vector<glm::vec4> paint(const Page& page, const WashStyle& style,
     auto light = test::Layer::color(size_px, page.light);
     auto background = test::Layer::color(page.background_size_px, page.background);
     auto screen = test::Layer::root_color(page.has_screen ? size_px : glm::uvec2(1), page.screen);
+    std::optional<test::Layer> shade;
+    if (page.shade) {
+        shade = test::Layer::color(size_px, *page.shade);
+    }
     gpu::Graph graph;
     const auto wash = add_wash(graph,
                                {.frame = gpu::import_whole(graph, "frame", frame),
@@ -78,6 +85,7 @@ std::vector<glm::vec4> paint(const Page& page, const WashStyle& style,
                                 .materials = gpu::import_whole(graph, "materials", materials),
                                 .screen = screen.in(graph),
                                 .has_screen = page.has_screen,
+                                .shade = shade ? std::optional(shade->in(graph)) : std::nullopt,
                                 .background = background.in(graph),
                                 .has_background = page.has_background,
                                 .size_px = size_px},
@@ -110,6 +118,29 @@ TEST(Wash, IsTheMaterialsColourInLightAndTintedInShadow)
     expect_everywhere(paint(page, style), red * style.shadow_tint * page.material.shade_color);
     const glm::vec3 tint = WashStyle{}.shadow_tint;
     EXPECT_LT(tint.x, tint.z) << "the shadow of the default style is cooler than its light";
+}
+
+TEST(Wash, ASecondColourReplacesTheTintInShadow)
+{
+    Page page;
+    const glm::vec3 violet(0.25F, 0.0625F, 0.5F);
+    float alpha = shared::shade_by_wash;
+    page.shade.emplace([&](glm::uvec2) { return glm::vec4(violet, alpha); });
+    page.material.shade_color = {0.2F, 0.9F, 0.5F};
+    const WashStyle style = strong();
+    expect_everywhere(paint(page, style), red);
+    page.light = [](glm::uvec2) { return glm::vec4(0.2F); };
+    expect_everywhere(paint(page, style), violet);
+    alpha = shared::shade_absent;
+    expect_everywhere(paint(page, style), red * style.shadow_tint * page.material.shade_color);
+    for (const float lit : {0.0F, 0.25F, 1.0F}) {
+        alpha = lit; // in place of the darkness of the light
+        expect_everywhere(paint(page, style), glm::mix(violet, red, lit));
+    }
+    WashStyle grey = style;
+    grey.saturation = 0.0F;
+    alpha = 0.0F;
+    expect_everywhere(paint(page, grey), glm::vec3(luminance(violet)));
 }
 
 TEST(Wash, LiftsDarkColoursAndKeepsTheirHue)
