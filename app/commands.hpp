@@ -16,6 +16,7 @@ void run(const StylesCommand& command);
 void run(const StyleManualCommand& command);
 void run(const TamCommand& command);
 void run(const NormalMapCommand& command);
+void run(const NormalBakeCommand& command);
 void run(const BakeCommand& command);
 void run(const ViewCommand& command);
 void run(const BatchCommand& command);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "options.hpp"
 
 namespace CLI {
 class App;
+class Option;
 } // namespace CLI
 
 namespace estampe::app {
@@ -17,15 +19,25 @@ public:
     /// Adds the command `normalmap` to `app`; this object must outlive the parsing.
     void add_to(CLI::App& app);
 
-    /// Checks the typed options and returns them as a command. Throws UsageError for invalid options.
-    [[nodiscard]] NormalMapCommand read() const;
+    /// Checks the typed options and returns them as a command: a NormalMapCommand, or with --from a
+    /// NormalBakeCommand. Throws UsageError for invalid options.
+    [[nodiscard]] Command read() const;
 
 private:
-    std::string picture_;
+    /// Adds the options of --from, and returns them.
+    [[nodiscard]] std::vector<CLI::Option*> add_baking(CLI::App& command);
+    [[nodiscard]] NormalBakeCommand read_baking() const;
+
+    std::string source_;
     std::string output_;
     double relief_ = NormalMapSettings().relief;
     std::string edges_ = "wrap";
     std::string green_ = "up";
+    std::string from_;
+    std::string frame_ = "triangles";
+    double distance_m_ = 0.0;
+    CLI::Option* distance_ = nullptr;
+    NormalBakeSettings baking_;
 };
 
 } // namespace estampe::app

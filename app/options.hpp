@@ -174,6 +174,14 @@ struct NormalMapCommand {
     NormalMapSettings settings;
 };
 
+/// `estampe normalmap --from`: makes a normal map of a detailed mesh for a plain mesh.
+struct NormalBakeCommand {
+    std::string plain;    ///< Scene that gets the map
+    std::string detailed; ///< Scene that gives the normals
+    std::string output;   ///< File that receives the normal map, .png
+    NormalBakeSettings settings;
+};
+
 /// `estampe bake`: computes a lightmap.
 struct BakeCommand {
     std::string scene;
@@ -195,9 +203,9 @@ struct BatchCommand {
     RendererOptions device;
 };
 
-using Command =
-    std::variant<BatchCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand, StylesCommand,
-                 StyleManualCommand, TamCommand, NormalMapCommand, BakeCommand, ViewCommand>;
+using Command = std::variant<BatchCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
+                             StylesCommand, StyleManualCommand, TamCommand, NormalMapCommand,
+                             NormalBakeCommand, BakeCommand, ViewCommand>;
 
 /// Reads the command line, the style that it names, and its --set assignments. Returns nothing after it has
 /// printed help or the version. Throws UsageError for a mistake on the command line, Error for a style file

@@ -218,7 +218,7 @@ std::vector<glm::dvec3> morphed(const Primitive& primitive, const std::vector<fl
     return positions;
 }
 
-glm::dmat4 blend(const std::vector<glm::dmat4>& matrices, const Primitive& primitive, size_t vertex)
+glm::dmat4 blend(std::span<const glm::dmat4> matrices, const Primitive& primitive, size_t vertex)
 {
     glm::dmat4 sum(0.0);
     const auto add = [&](const std::vector<glm::u16vec4>& joints, const std::vector<glm::vec4>& weights) {
@@ -259,7 +259,11 @@ void visit_some(const Scene& scene, const ScenePose& pose, const std::function<s
             if (!joints.empty() && !primitive.joints_0.empty()) {
                 for (size_t i = 0; i < local.size(); ++i)
                     placed[i] = glm::dvec3(blend(joints, primitive, i * stride) * glm::dvec4(local[i], 1.0));
-                visit({index, &primitive, placed, turns_inside_out(joints.front())});
+                visit({.node = index,
+                       .primitive = &primitive,
+                       .positions = placed,
+                       .mirrored = turns_inside_out(joints.front()),
+                       .joints = joints});
                 continue;
             }
             const size_t copies = std::max<size_t>(node.instances.size(), 1);
@@ -269,13 +273,22 @@ void visit_some(const Scene& scene, const ScenePose& pose, const std::function<s
                     world_from_mesh *= glm::dmat4(node.instances[copy]);
                 for (size_t i = 0; i < local.size(); ++i)
                     placed[i] = glm::dvec3(world_from_mesh * glm::dvec4(local[i], 1.0));
-                visit({index, &primitive, placed, turns_inside_out(world_from_mesh)});
+                visit({.node = index,
+                       .primitive = &primitive,
+                       .positions = placed,
+                       .mirrored = turns_inside_out(world_from_mesh),
+                       .world_from_mesh = world_from_mesh});
             }
         }
     }
 }
 
 } // namespace
+
+glm::dmat4 world_from_vertex(const PosedPrimitive& posed, size_t vertex)
+{
+    return posed.joints.empty() ? posed.world_from_mesh : blend(posed.joints, *posed.primitive, vertex);
+}
 
 std::vector<glm::mat4> skin_matrices(const Scene& scene, const ScenePose& pose, Index node)
 {

@@ -23,7 +23,13 @@ struct PosedPrimitive {
     const Primitive* primitive = nullptr;
     std::span<const glm::dvec3> positions;
     bool mirrored = false; ///< the node's transform is a mirroring, which reverses the winding of triangles
+    glm::dmat4 world_from_mesh{1.0};      ///< placement of a primitive without a skin
+    std::span<const glm::dmat4> joints{}; ///< matrices world_from_bind of a skinned primitive; else empty
 };
+
+/// Returns the matrix that places a vertex of a primitive in the world after morphing: the primitive's
+/// placement, or the weighted sum of the matrices of the vertex's joints.
+[[nodiscard]] glm::dmat4 world_from_vertex(const PosedPrimitive& posed, size_t vertex);
 
 /// Calls `visit` once for each primitive and instance of each visible node, after morphing and skinning.
 /// Ignores instances of skinned meshes, because only the joints place such a mesh. Cost: linear in vertices

@@ -487,6 +487,57 @@ expect_error 2 '--edges: "mirror" is not one of its choices' normalmap plain.png
 expect_error 1 'nothing.png' normalmap nothing.png -o normal.png
 expect_error 1 'plain.png' normalmap plain.png -o plain.png
 
+# Normal maps of detailed meshes
+cat >flat.obj <<'OBJ'
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+g left
+f 1/1 2/2 3/3 4/4
+OBJ
+sed 's/^v \([01]\)/v 3\1/; s/left/right/; s#\([1-4]\)/[1-4]#\1#g' flat.obj >bare.obj
+awk 'BEGIN {
+  for (j = 0; j <= 40; j++) for (i = 0; i <= 40; i++) print "v", i / 40, j / 40, 0.02 * sin(i / 3) * sin(j / 3)
+  for (j = 0; j < 40; j++) for (i = 1; i <= 40; i++) print "f", 41 * j + i, 41 * j + i + 1, 41 * j + i + 42, 41 * j + i + 41
+}' >waves.obj
+expect_success normalmap --help-all
+expect_printed '--from-object'
+baking=(normalmap flat.obj --from waves.obj --size 64)
+expect_success "${baking[@]}" -o baked.png --distance 0.1
+grep -q 'note: 4096 texels of 64 x 64 are covered; rays reached 0.1 m' ../"$name".err || wrong "nothing said of the texels"
+! grep -q 'found no detail\|warning' ../"$name".err || wrong "lost something of waves: $(cat ../"$name".err)"
+expect_success "${baking[@]}" -o other.png --distance 0.1 --samples 1 --border 0 --tangents vertices --green down
+! cmp -s baked.png other.png || wrong "--green changes nothing of a baked map"
+expect_success "${baking[@]}" -o other.png --distance 0.01
+grep -q 'note: .* of the covered texels found no detail and are flat' ../"$name".err || wrong "nothing said of misses"
+{ cat flat.obj; sed 's/left/right/' flat.obj; cat bare.obj; } >several.obj
+expect_success normalmap several.obj --from waves.obj -o other.png --size 64 --distance 0.1
+grep -q 'warning: several.obj: 2 of 6 triangles get no part of the map: they have no UVs' ../"$name".err || wrong "nothing said of missing UVs"
+grep -q 'warning: several.obj: triangles share 100 % of the covered map' ../"$name".err || wrong "nothing said of overlaps"
+expect_success normalmap several.obj --from waves.obj -o other.png --size 64 --distance 0.1 --object left
+cmp -s baked.png other.png || wrong "--object does not choose a mesh"
+printf 'newmtl wall\nKd 1 1 1\nnorm baked.png\n' >wall.mtl
+{ printf 'mtllib wall.mtl\nusemtl wall\n'; cat flat.obj; } >mapped.obj
+expect_success render flat.obj -o flat.png --view front "${small[@]}"
+expect_success render mapped.obj -o mapped.png --view front "${small[@]}"
+! cmp -s flat.png mapped.png || wrong "a baked map changes nothing"
+expect_error 1 'bare.obj: has no UVs' normalmap bare.obj --from waves.obj -o other.png
+expect_error 1 'no second set of UVs' "${baking[@]}" -o other.png --uv 1
+expect_error 1 'no object has the name "roof"' "${baking[@]}" -o other.png --object roof
+expect_error 1 'no object has the name "roof"' "${baking[@]}" -o other.png --from-object roof
+expect_error 1 'no material has the name "wood"' "${baking[@]}" -o other.png --material wood
+expect_error 1 'nothing.obj' normalmap flat.obj --from nothing.obj -o other.png
+expect_error 2 '--size: 8 is out of range' normalmap flat.obj --from waves.obj -o other.png --size 8
+expect_error 2 '--distance: -1 is out of range' "${baking[@]}" -o other.png --distance -1
+expect_error 2 '--tangents: "faces" is not one of its choices' "${baking[@]}" -o other.png --tangents faces
+expect_error 2 '--size.*--from' normalmap plain.png -o other.png --size 64
+expect_error 2 '--from.*--relief\|--relief.*--from' "${baking[@]}" -o other.png --relief 0.1
+
 # Tonal art maps
 tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)
 expect_success tam --help-all

@@ -24,6 +24,7 @@
 #include "core/hash.hpp"
 #include "scene/charts/charts.hpp"
 #include "scene/static_triangles.hpp"
+#include "techniques/bake/canvas.hpp"
 #include "techniques/bake/tracer.hpp"
 
 namespace estampe::bake {
@@ -133,78 +134,6 @@ float agreement(const Estimate& a, const Estimate& b, const glm::ivec2& step)
     const float difference = luminance(a.light) - luminance(b.light);
     const float noise_2 = 4.0F * (a.variance + b.variance) + 1e-12F;
     return std::exp(-steps_2 / 6.0F - difference * difference / noise_2);
-}
-
-/// A square image in which some texels have no value yet.
-class Canvas {
-public:
-    explicit Canvas(uint32_t side)
-        : size(side), light(static_cast<size_t>(side) * side), known(light.size(), false)
-    {
-    }
-
-    /// Calls `visit` for each of a texel's eight neighbours that lie inside the image.
-    template <class Visit>
-    void around(uint32_t place, const Visit& visit) const
-    {
-        const auto x = static_cast<int64_t>(place % size);
-        const auto y = static_cast<int64_t>(place / size);
-        for (int64_t v = std::max<int64_t>(y - 1, 0); v <= std::min<int64_t>(y + 1, size - 1); ++v) {
-            for (int64_t u = std::max<int64_t>(x - 1, 0); u <= std::min<int64_t>(x + 1, size - 1); ++u) {
-                const auto other = static_cast<uint32_t>(v * size + u);
-                if (other != place) {
-                    visit(other);
-                }
-            }
-        }
-    }
-
-    uint32_t size;
-    std::vector<glm::vec3> light;
-    std::vector<bool> known;
-};
-
-/// Fills the texels of `wanted` that touch known texels with the mean of the known neighbours. Returns the
-/// filled texels.
-std::vector<uint32_t> fill_beside(Canvas& canvas, const std::vector<uint32_t>& wanted)
-{
-    std::vector<uint32_t> filled;
-    std::vector<glm::vec3> means;
-    for (const uint32_t place : wanted) {
-        glm::vec3 sum(0.0F);
-        float count = 0.0F;
-        canvas.around(place, [&](uint32_t other) {
-            if (canvas.known[other]) {
-                sum += canvas.light[other];
-                count += 1.0F;
-            }
-        });
-        if (count > 0.0F) {
-            filled.push_back(place);
-            means.push_back(sum / count);
-        }
-    }
-    for (size_t i = 0; i < filled.size(); ++i) {
-        canvas.light[filled[i]] = means[i];
-        canvas.known[filled[i]] = true;
-    }
-    return filled;
-}
-
-/// Returns the unknown texels that touch `texels`, without duplicates.
-std::vector<uint32_t> unknown_beside(const Canvas& canvas, const std::vector<uint32_t>& texels)
-{
-    std::vector<uint32_t> found;
-    for (const uint32_t place : texels) {
-        canvas.around(place, [&](uint32_t other) {
-            if (!canvas.known[other]) {
-                found.push_back(other);
-            }
-        });
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
 }
 
 /// Averages each lightmap texel with similar texels of the surface, up to three texels away: a bilateral

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <estampe/error.hpp>
-
 #include "core/color.hpp"
 #include "scene/light_sources.hpp"
 #include "techniques/bake/embree.hpp"
@@ -132,56 +130,6 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Builds the Embree scene. Embree uses all threads, because its thread limit would hold for the whole
-/// process.
-std::shared_ptr<void> build_rays(const StaticTriangles& triangles)
-{
-    RTCDevice device = rtcNewDevice(nullptr);
-    if (device == nullptr) {
-        throw Error("Embree does not start on this processor");
-    }
-    RTCScene scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    const size_t corners = triangles.positions.size();
-    auto* places = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), corners));
-    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), corners / 3));
-    if (places == nullptr || indices == nullptr) {
-        rtcReleaseGeometry(geometry);
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-        throw Error("the scene is too large to follow rays through");
-    }
-    std::copy(triangles.positions.begin(), triangles.positions.end(), places);
-    for (uint32_t i = 0; i < corners; ++i) {
-        indices[i] = i;
-    }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
-    return {scene, [device](void* built) {
-                rtcReleaseScene(static_cast<RTCScene>(built));
-                rtcReleaseDevice(device);
-            }};
-}
-
-RTCRay ray_of(const glm::vec3& from, const glm::vec3& direction, float reach_m)
-{
-    RTCRay ray{};
-    ray.org_x = from.x;
-    ray.org_y = from.y;
-    ray.org_z = from.z;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.tfar = reach_m;
-    ray.mask = ~0U;
-    return ray;
-}
-
 /// A cosine-weighted direction about `normal`: Malley's method, in a frame after Duff et al., "Building an
 /// Orthonormal Basis, Revisited", 2017.
 glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& square)
@@ -240,7 +188,7 @@ Beam beam_of(const Lamp& lamp, const glm::vec3& place, const glm::vec3& normal)
 } // namespace
 
 Tracer::Tracer(const StaticTriangles& triangles, const Surfaces& surfaces, const BakeSettings& settings)
-    : surfaces_(surfaces), settings_(settings), rays_(build_rays(triangles))
+    : surfaces_(surfaces), settings_(settings), rays_(build_rays(triangles.positions))
 {
     constexpr float lift_share = 2e-5F;
     float radius_m = 0.0F;
