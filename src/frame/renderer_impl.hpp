@@ -85,6 +85,9 @@ struct Renderer::Impl {
     /// The inputs for planning the flowing ink of a prepared picture.
     [[nodiscard]] features::FlowingInkInputs
     ink_inputs(const Camera& camera, const features::StyleTables& tables, const RenderSettings& settings);
+    /// Returns the blasts of the smoke, for particles and ink.
+    [[nodiscard]] std::vector<features::Blast> blasts_at(const ScenePose& pose,
+                                                         const features::StyleTables& tables) const;
     /// Plans the smoke of a prepared picture, and simulates and lights the smoke on the device.
     [[nodiscard]] std::optional<features::SmokePlan> plan_smoke(const frame::FramePlan& plan,
                                                                 const features::StyleTables& tables,

@@ -178,7 +178,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
          .camera = camera,
          .settings = settings,
          .style = tables,
-         .has_haze = plan.page.has_haze});
+         .has_haze = plan.page.has_haze,
+         .blasts = blasts_at(scene_pose, tables)});
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }
@@ -222,7 +223,14 @@ features::FlowingInkInputs Renderer::Impl::ink_inputs(const Camera& camera,
             .settings = settings,
             .style = tables,
             .nearby_m = tables.ink.enabled ? frame::nearby_m(loaded->layout, camera.eye) : 0.0F,
-            .pose_moved = loaded->pose_moved};
+            .pose_moved = loaded->pose_moved,
+            .blasts = blasts_at(pose, tables)};
+}
+
+std::vector<features::Blast> Renderer::Impl::blasts_at(const ScenePose& pose,
+                                                       const features::StyleTables& tables) const
+{
+    return features::smoke_blasts(loaded->scene, pose, loaded->layout.anchor, tables.smoke);
 }
 
 std::optional<features::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePlan& plan,

@@ -299,6 +299,50 @@ TEST(ClothFrame, AirOfSmokeBlowsOnIt)
     EXPECT_EQ(renderer.render(set_up.camera, settled_style(set_up), cloth_page).rgba, limp.rgba);
 }
 
+TEST(ClothFrame, IsPushedAwayByABlastInTheSmoke)
+{
+    // Motion of the sheet towards -z, summed over the pixels that show it, shortly after the time of a blast.
+    // The camera looks along the sheet.
+    const auto pushed_px = [](double from_z, const char* blast) {
+        ClothScene set_up = limp_flag();
+        set_up.camera.eye = {9.0, 2.6, 0.0};
+        set_up.camera.target = {0.0, 2.6, 0.0};
+        Node node{.name = "smoke"};
+        node.transform.translation = {0.4, 2.4, from_z};
+        node.transform.scale = glm::dvec3(1.2);
+        set_up.scene.roots.push_back(static_cast<Index>(set_up.scene.nodes.size()));
+        set_up.scene.nodes.push_back(node);
+        for (const char* assignment :
+             {"smoke.enabled=true", "smoke.cells=16", "smoke.age_s=0.1", "smoke.amount_per_s=0",
+              "smoke.explodes_above=1", blast, "smoke.blast_heat=20", "wind.from=smoke"}) {
+            set_up.style.emplace_back(assignment);
+        }
+        const Style style = settled_style(set_up);
+        Renderer& renderer = test::shared_renderer();
+        renderer.set_scene(set_up.scene);
+        double sum_px = 0.0;
+        for (uint32_t frame = 0; frame < 6; ++frame) {
+            RenderSettings settings = cloth_page;
+            settings.time_s = frame / 24.0;
+            settings.continuity = frame == 0 ? Continuity::starts : Continuity::follows;
+            settings.motion_since = Moment{.camera = set_up.camera, .time_s = (frame - 1.0) / 24.0};
+            static_cast<void>(renderer.render(set_up.camera, style, settings));
+            for (const glm::vec4& pixel : renderer.motion().pixels) {
+                sum_px += frame > 1 ? static_cast<double>(pixel.x) : 0.0;
+            }
+        }
+        return sum_px;
+    };
+    // Without a blast, warm air draws the flag along.
+    const auto by_blast_px = [&](double from_z) {
+        return pushed_px(from_z, "smoke.blast_at_s=0.06") - pushed_px(from_z, "smoke.blast_at_s=-1");
+    };
+    const double to_back = by_blast_px(0.6);
+    const double to_front = by_blast_px(-0.6);
+    EXPECT_GT(to_back, 1.0);
+    EXPECT_LT(to_front, -1.0);
+}
+
 TEST(ClothFrame, MotionIsOfTheSheetToo)
 {
     const ClothScene set_up = make_set_up("flag", 0.5F);

@@ -36,9 +36,12 @@ void SolverMeter::run(gpu::Graph& graph, const fluid::Fluid& fluid, const fluid:
                                      gpu::MemoryUse::readback);
         }
         const auto add = [&](gpu::ImageId velocity, gpu::Buffer& host) {
-            gpu::add_read_back(graph, "fluid/measured",
-                               fluid::add_divergence(graph, grid, velocity, fields.solids, "fluid/measure"),
-                               host);
+            gpu::BufferId outflow =
+                fluid::add_divergence(graph, grid, velocity, fields.solids, "fluid/measure");
+            if (fields.swelling) {
+                outflow = fluid::add_swelling_to_outflow(graph, grid, *fields.swelling, outflow);
+            }
+            gpu::add_read_back(graph, "fluid/measured", outflow, host);
         };
         add(fields.unprojected, divergences.front());
         add(fields.velocity, divergences.back());

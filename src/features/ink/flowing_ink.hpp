@@ -14,6 +14,7 @@
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
+#include "features/common/blast.hpp"
 #include "features/common/feature.hpp"
 #include "features/common/style_tables.hpp"
 #include "features/common/view.hpp"
@@ -83,8 +84,9 @@ struct FlowingInkInputs {
     const Camera& camera; ///< Camera of the whole page
     const RenderSettings& settings;
     const StyleTables& style;
-    float nearby_m = 1.0F;   ///< Distance from the eye to nearby objects, see FrameGlobals::nearby_m
-    bool pose_moved = false; ///< The scene's vertices moved since the previous picture
+    float nearby_m = 1.0F;          ///< Distance from the eye to nearby objects, see FrameGlobals::nearby_m
+    bool pose_moved = false;        ///< The scene's vertices moved since the previous picture
+    std::vector<Blast> blasts = {}; ///< Blasts that push the ink away on the page
 };
 
 struct InkPlan {

@@ -202,6 +202,20 @@ std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patter
     return nodes;
 }
 
+void push_away(std::span<particles::Particle> alive, const particles::ParticleStyle& style,
+               std::span<const Blast> blasts, double time_s)
+{
+    constexpr double moment_s = 0.01; // time over which the velocity of the push is measured
+    for (const Blast& blast : blasts) {
+        for (particles::Particle& particle : alive) {
+            const double born_s = time_s - static_cast<double>(particle.age * style.life_s);
+            const glm::dvec3 place = particle.place;
+            particle.place = blast.pushed(place, born_s, time_s);
+            particle.velocity += (particle.place - blast.pushed(place, born_s, time_s - moment_s)) / moment_s;
+        }
+    }
+}
+
 void Particles::invalidate(Event event)
 {
     if (event == Event::scene_replaced) {
@@ -240,7 +254,8 @@ std::vector<particles::ParticlePlan> Particles::plan(gpu::Device& device, gpu::E
         if (std::ranges::any_of(group.nodes, [&](size_t node) { return moves[node]; })) {
             look_back(group.emitters, group.nodes, past, static_cast<double>(style.life_s));
         }
-        const auto alive = particles::particles_at(style, group.emitters, in.settings.time_s);
+        auto alive = particles::particles_at(style, group.emitters, in.settings.time_s);
+        push_away(alive, style, in.blasts, in.settings.time_s);
         ParticleBuffers& room = buffers_[plans.size()];
         room.sheet.ensure(device, style, [&] { return smoke_sheet(device, executor); });
         particles::ParticlePlan& plan =

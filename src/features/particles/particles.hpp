@@ -12,6 +12,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "features/common/blast.hpp"
 #include "features/common/feature.hpp"
 #include "features/common/style_tables.hpp"
 #include "gpu/graph/execute.hpp"
@@ -23,6 +24,10 @@ namespace estampe::features {
 /// Simulates a puff of smoke for sprites: 6 x 6 frames of 64 x 64 pixels over four seconds. The warm puff
 /// rises, rolls up and thins. The same device gives the same frames. Cost: 240 steps of the solver.
 [[nodiscard]] particles::SheetImage smoke_sheet(gpu::Device& device, gpu::Executor& executor);
+
+/// Moves particles of the style `style` at `time_s` as blasts have moved them since their birth.
+void push_away(std::span<particles::Particle> alive, const particles::ParticleStyle& style,
+               std::span<const Blast> blasts, double time_s);
 
 /// Returns the nodes without a mesh whose names match one of the comma-separated patterns, in scene order.
 [[nodiscard]] std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patterns);
@@ -45,6 +50,7 @@ struct ParticlePlanInputs {
     const RenderSettings& settings;
     const StyleTables& style;
     bool has_haze = false;
+    std::vector<Blast> blasts = {}; ///< Blasts that push the particles away
 };
 
 class Particles final : public Feature {

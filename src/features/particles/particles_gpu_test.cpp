@@ -60,6 +60,67 @@ TEST(ParticlesInFrame, AreTheSameWhateverWasDrawnBefore)
     EXPECT_EQ(renderer.render(particle_camera, {}, moment(2.0)).rgba, first.rgba);
 }
 
+TEST(ParticlesInFrame, GrainsOfSandAreBlownOutwardsByABlast)
+{
+    particles::ParticleStyle style;
+    style.life_s = 4.0F;
+    style.per_s = 40.0F;
+    const std::vector<particles::Emitter> emitters{{.place = {1.0, 0.0, 0.0}}, {.place = {-1.0, 0.0, 0.0}}};
+    const std::vector<Blast> blasts{
+        {.centre = {0.0, 0.5, 0.0}, .at_s = 2.0, .start_m3 = 0.1, .growth = 20.0, .rate_per_s = 10.0}};
+    for (const double time_s : {1.9, 2.2, 3.0}) {
+        const auto calm = particles::particles_at(style, emitters, time_s);
+        auto pushed = calm;
+        push_away(pushed, style, blasts, time_s);
+        size_t moved = 0;
+        for (size_t i = 0; i < calm.size(); ++i) {
+            const glm::dvec3 away = calm[i].place - blasts[0].centre;
+            const glm::dvec3 push = pushed[i].place - calm[i].place;
+            const double born_s = time_s - static_cast<double>(calm[i].age * style.life_s);
+            const double gained = blasts[0].cubed_radius_m3(time_s) - blasts[0].cubed_radius_m3(born_s);
+            if (gained == 0.0) {
+                EXPECT_EQ(push, glm::dvec3(0.0));
+                continue;
+            }
+            EXPECT_NEAR(glm::dot(push, glm::normalize(away)), glm::length(push), 1e-9) << "straight outwards";
+            EXPECT_GT(glm::length(push), 0.0);
+            if (glm::length(away) > 0.5) { // outside of the ball at its start
+                const double cube = std::pow(glm::length(pushed[i].place - blasts[0].centre), 3.0);
+                EXPECT_NEAR(cube - std::pow(glm::length(away), 3.0), gained, 1e-9);
+            }
+            EXPECT_GT(glm::dot(pushed[i].velocity - calm[i].velocity, away), 0.0);
+            ++moved;
+        }
+        EXPECT_EQ(moved > 50, time_s > 2.0) << time_s;
+    }
+}
+
+TEST(ParticlesInFrame, AreBlownAwayByTheSmokesBlast)
+{
+    Scene scene = with_empty("emitter");
+    Node node{.name = "smoke"};
+    scene.nodes.push_back(node);
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size() - 1));
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    Style style;
+    for (const char* assignment :
+         {"smoke.enabled=true", "smoke.cells=16", "smoke.age_s=0.1", "smoke.amount_per_s=0",
+          "smoke.opacity=0", "smoke.line_mm=0", "smoke.darkness=0"}) {
+        style.set(assignment);
+    }
+    const Image calm = renderer.render(particle_camera, style, moment(2.0));
+    style.set("smoke.explodes_above=1");
+    EXPECT_EQ(renderer.render(particle_camera, style, moment(2.0)), calm);
+    style.set("smoke.blast_at_s=1.5");
+    EXPECT_EQ(renderer.render(particle_camera, style, moment(1.4)), [&] {
+        Style without = style;
+        without.set("smoke.blast_at_s=-1");
+        return renderer.render(particle_camera, without, moment(1.4));
+    }());
+    EXPECT_GT(test::changed_pixels(renderer.render(particle_camera, style, moment(2.0)), calm), 30U);
+}
+
 TEST(ParticlesInFrame, SmokeRisesAndThinsFromFrameToFrame)
 {
     gpu::Device& device = test::shared_device();

@@ -77,6 +77,7 @@ struct StepsLeft {
 struct Rise {
     const smoke::Box& box;
     const smoke::SmokeStyle& style;
+    double from_s = 0.0; ///< Scene time up to which the smoke is simulated
     double gap_s = 0.0;
     uint32_t boxes = 1; ///< Number of smoke boxes that are simulated together
     bool is_measured = false;
@@ -88,8 +89,36 @@ struct Risen {
     StepsLeft left;
 };
 
+/// Whether a blast goes off at some time.
+bool is_blasting(const smoke::SmokeStyle& style)
+{
+    return smoke::is_explosive(style) && smoke::has_blast(style);
+}
+
+/// Returns the number of the step in which a blast goes off; none if no step of the period does.
+std::optional<uint32_t> step_of_blast(const Rise& rise, uint32_t count)
+{
+    const double after_s = static_cast<double>(rise.style.blast_at_s) - rise.from_s;
+    if (!is_blasting(rise.style) || after_s < 0.0 || after_s >= rise.gap_s) {
+        return std::nullopt;
+    }
+    return std::min(static_cast<uint32_t>(after_s / rise.gap_s * count), count - 1);
+}
+
+/// Returns the settings of steps that end at `until_s`. A blast may blow smoke through the floor so fast that
+/// it would come back from above; so the zone at the open faces removes smoke more quickly after a blast.
+fluid::FluidStyle solving_until(const Rise& rise, double step_s, double until_s)
+{
+    constexpr float clearings = 5.0F; // per time constant of the blast
+    fluid::FluidStyle solver = solving(rise.box, rise.style, step_s);
+    if (is_blasting(rise.style) && until_s > static_cast<double>(rise.style.blast_at_s)) {
+        solver.matter.rim.share_per_s += clearings * rise.style.explosion_per_s;
+    }
+    return solver;
+}
+
 /// Runs the steps of the simulation, except for the last ones, which run in the picture's own graph. If the
-/// solver is measured, all steps run here.
+/// solver is measured, or in a period with a blast, all steps run here.
 Risen let_rise(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter, const Rise& rise)
 {
     const auto count =
@@ -98,19 +127,28 @@ Risen let_rise(fluid::Fluid& fluid, gpu::Device& device, SolverMeter meter, cons
     if (count == 0) {
         return {};
     }
-    const fluid::FluidStyle solver = solving(rise.box, rise.style, rise.gap_s / count);
-    fluid.ensure_mass(device, solver);
-    const uint32_t most = fluid.most_steps(solver);
-    const uint32_t room = rise.is_measured ? 0 : most / rise.boxes;
-    uint32_t left = count;
-    while (left > room) {
-        const uint32_t now = std::min(left - room, most);
+    const double step_s = rise.gap_s / count;
+    const fluid::FluidStyle usual = solving(rise.box, rise.style, step_s);
+    fluid.ensure_mass(device, usual);
+    const uint32_t most = fluid.most_steps(usual);
+    const std::optional<uint32_t> blast = step_of_blast(rise, count);
+    const uint32_t room = rise.is_measured || blast ? 0 : most / rise.boxes;
+    for (uint32_t done = 0; count - done > room;) {
+        const bool is_blast = done == blast;
+        const uint32_t until = is_blast ? done + 1 : blast && done < *blast ? *blast : count - room;
+        const uint32_t now = std::min(until - done, most);
+        if (blast) {
+            fluid.set_shapes({}, std::vector{is_blast ? blasting_source_of(rise.box, rise.style, step_s)
+                                                      : source_of(rise.box, rise.style)});
+        }
         gpu::Graph graph;
+        const fluid::FluidStyle solver = solving_until(rise, step_s, rise.from_s + (done + now) * step_s);
         const fluid::FluidFields fields = fluid.add_steps(graph, solver, now);
-        left -= now;
-        meter.run(graph, fluid, solver, fields, now, left == 0);
+        done += now;
+        meter.run(graph, fluid, solver, fields, now, done == count);
     }
-    return {.report = meter.report(), .left = {solver, left}};
+    return {.report = meter.report(),
+            .left = {solving_until(rise, step_s, rise.from_s + rise.gap_s), std::min(count, room)}};
 }
 
 /// Moves the random patterns of puffs and strokes in the smoke with the wind and the rising air.
@@ -253,6 +291,24 @@ std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose, c
     return boxes;
 }
 
+std::vector<Blast> smoke_blasts(const Scene& scene, const ScenePose& pose, const glm::dvec3& anchor,
+                                const smoke::SmokeStyle& style)
+{
+    std::vector<Blast> blasts;
+    if (!style.enabled || !smoke::has_blast(style)) {
+        return blasts;
+    }
+    for (const smoke::Box& box :
+         smoke_boxes(scene, pose, anchor, style.objects, std::bit_floor(style.cells))) {
+        const auto blast =
+            blasts.size() < shared::smoke_most_boxes ? blast_of(box, style, anchor) : std::nullopt;
+        if (blast) {
+            blasts.push_back(*blast);
+        }
+    }
+    return blasts;
+}
+
 RisingSmoke::RisingSmoke() = default;
 RisingSmoke::~RisingSmoke() = default;
 
@@ -382,6 +438,12 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
         columns_.clear();
         return {};
     }
+    if (smoke::has_blast(style) && !blast_of(boxes.front(), style, in.layout.anchor)) {
+        notes.emplace_back(smoke::is_explosive(style)
+                               ? "smoke.blast_at_s gives no explosion, because smoke.blast_heat is not above "
+                                 "smoke.explodes_above"
+                               : "smoke.blast_at_s gives no blast, because smoke.explodes_above is 0");
+    }
     if (boxes.size() > shared::smoke_most_boxes) {
         notes.push_back(fmt::format("smoke rises from the first {} of {} objects", shared::smoke_most_boxes,
                                     boxes.size()));
@@ -404,6 +466,7 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
             let_rise(*column.fluid, device, SolverMeter(device, executor, in.settings.measure_solvers),
                      {.box = box,
                       .style = style,
+                      .from_s = column.time_s,
                       .gap_s = risen_s - column.time_s,
                       .boxes = static_cast<uint32_t>(boxes.size()),
                       .is_measured = in.settings.measure_solvers});

@@ -11,6 +11,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "features/common/blast.hpp"
 #include "features/common/feature.hpp"
 #include "features/common/style_tables.hpp"
 #include "gpu/graph/execute.hpp"
@@ -32,6 +33,11 @@ namespace estampe::features {
 /// flicker with time.
 void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
                const smoke::SmokeStyle& style, double time_s);
+
+/// Returns the blasts of the first shared::smoke_most_boxes smoke boxes of a scene, for things that the air
+/// moves outside of the simulation; empty if the style has none.
+[[nodiscard]] std::vector<Blast> smoke_blasts(const Scene& scene, const ScenePose& pose,
+                                              const glm::dvec3& anchor, const smoke::SmokeStyle& style);
 
 /// The inputs for the smoke of a picture.
 struct SmokeInputs {

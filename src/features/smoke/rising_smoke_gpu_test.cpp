@@ -177,6 +177,42 @@ TEST(RisingSmoke, RisesByEachSolverAndAdvectionAsTheStyleSays)
                                     smoke_still));
 }
 
+TEST(RisingSmoke, ExplodesAtItsTimeAndCostsNothingIfItDoesNot)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    const Image calm = renderer.render(smoke_camera, smoking(), smoke_still);
+    EXPECT_EQ(renderer.graph_dot().find("fluid/swell"), std::string::npos);
+    // No air is so warm.
+    EXPECT_EQ(renderer.render(smoke_camera, smoking({"smoke.explodes_above=50"}), smoke_still), calm);
+    EXPECT_NE(renderer.graph_dot().find("fluid/swell"), std::string::npos);
+    const std::vector<std::string> blast{"smoke.explodes_above=5", "smoke.blast_heat=60",
+                                         "smoke.blast_at_s=0.1"};
+    EXPECT_GT(test::changed_pixels(renderer.render(smoke_camera, smoking(blast), smoke_still), calm), 200U);
+    std::vector<std::string> later = blast;
+    later.back() = "smoke.blast_at_s=0.26";
+    EXPECT_EQ(renderer.render(smoke_camera, smoking(later), smoke_still), calm) << "not yet";
+    const std::vector<Image> film = smoke_film(renderer, smoking(blast));
+    const std::vector<Image> calm_film = smoke_film(renderer, smoking({"smoke.explodes_above=50"}));
+    EXPECT_EQ(film[1], calm_film[1]) << "before 0.1 s";
+    EXPECT_GT(test::changed_pixels(film[2], calm_film[2]), 100U);
+    EXPECT_EQ(smoke_film(renderer, smoking(blast), true), film) << "measured: one graph per step";
+    EXPECT_TRUE(renderer.notes().empty());
+}
+
+TEST(RisingSmoke, SaysWhyABlastDoesNotHappen)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    static_cast<void>(renderer.render(smoke_camera, smoking({"smoke.blast_at_s=0.1"}), smoke_still));
+    ASSERT_FALSE(renderer.notes().empty());
+    EXPECT_NE(renderer.notes().back().find("smoke.explodes_above is 0"), std::string::npos);
+    static_cast<void>(renderer.render(
+        smoke_camera, smoking({"smoke.blast_at_s=0.1", "smoke.explodes_above=50"}), smoke_still));
+    ASSERT_FALSE(renderer.notes().empty());
+    EXPECT_NE(renderer.notes().back().find("smoke.blast_heat"), std::string::npos);
+}
+
 TEST(RisingSmoke, ATiledPageIsTheSame)
 {
     Renderer& renderer = test::shared_renderer();

@@ -79,6 +79,8 @@ fluid::MatterStyle changing(const Draught& draught, const smoke::SmokeStyle& sty
             .saturation_growth = 0.25F,
             .saturation_fall_per_m = holds_less_above / draught.height_m,
             .latent_heat = style.latent_heat,
+            .expands_above = style.explodes_above,
+            .expansion_per_s = style.explosion_per_s,
             .rim = {},
             .outside_vapour = outside_vapour(style)};
 }
@@ -108,8 +110,9 @@ uint32_t smoke_channels(const smoke::SmokeStyle& style)
 double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
 {
     const Draught draught = draught_of(box, style);
-    return static_cast<double>(
-        std::clamp(2.0F * glm::length(draught.wind_m_per_s) / rim_m(draught), 24.0F, 480.0F));
+    const float of_wind = 2.0F * glm::length(draught.wind_m_per_s) / rim_m(draught);
+    const float of_blasts = smoke::is_explosive(style) ? 2.0F * style.explosion_per_s : 0.0F;
+    return static_cast<double>(std::clamp(std::max(of_wind, of_blasts), 24.0F, 480.0F));
 }
 
 fluid::Grid grid_of(const smoke::Box& box)
@@ -135,7 +138,8 @@ fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style,
             .quantity_advection = advection_of(style),
             .projection = {.solver = solver_of(style), .jacobi_rounds = style.jacobi_passes},
             .forces = {.lift_m_s2 = 5.0F * draught.speed_m_per_s * draught.speed_m_per_s / draught.height_m,
-                       .confinement_per_s = 4.0F * style.curl / style.rise_s,
+                       .confinement_per_s = 4.0F * std::min(style.curl, 1.0F) / style.rise_s,
+                       .surplus_per_s = 4.0F * std::max(style.curl - 1.0F, 0.0F) / style.rise_s,
                        .rim = calming,
                        .outside_m_per_s = draught.wind_m_per_s},
             .matter = matter};
@@ -154,6 +158,35 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
     source.gain_per_s[shared::fluid_fuel] = style.fuel_per_s;
     source.least_vapour = style.humidity;
     return source;
+}
+
+fluid::Source blasting_source_of(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s)
+{
+    fluid::Source source = source_of(box, style);
+    const auto at_once_per_s = static_cast<float>(1.0 / step_s);
+    const float growth = std::max(style.blast_heat / style.explodes_above, 1.0F);
+    source.gain_per_s[shared::fluid_temperature] += at_once_per_s * style.blast_heat;
+    source.gain_per_s[shared::fluid_density] += at_once_per_s * growth;
+    return source;
+}
+
+std::optional<Blast> blast_of(const smoke::Box& box, const smoke::SmokeStyle& style, const glm::dvec3& anchor)
+{
+    if (!smoke::is_explosive(style) || !smoke::has_blast(style) || style.blast_heat <= style.explodes_above) {
+        return std::nullopt;
+    }
+    const fluid::Shape& ball = source_of(box, style).shape;
+    const auto radius_m = static_cast<double>(ball.radius_m);
+    // The part of the ball that lies below the floor of the box has no air.
+    const double sunk_m = std::max(radius_m - static_cast<double>(ball.centre_m.y), 0.0);
+    const double sunk_m3 = std::numbers::pi * sunk_m * sunk_m * (radius_m - sunk_m / 3.0);
+    const glm::dmat4 anchor_from_grid = glm::inverse(glm::dmat4(box.grid_from_anchor));
+    return Blast{.centre =
+                     anchor + glm::dvec3(anchor_from_grid * glm::dvec4(ball.centre_m / box.cell_m, 1.0)),
+                 .at_s = static_cast<double>(style.blast_at_s),
+                 .start_m3 = 4.0 / 3.0 * std::numbers::pi * std::pow(radius_m, 3.0) - sunk_m3,
+                 .growth = static_cast<double>(style.blast_heat / style.explodes_above),
+                 .rate_per_s = static_cast<double>(style.explosion_per_s)};
 }
 
 std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style)

@@ -5,12 +5,14 @@
 // that the scene's surfaces touch.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include <estampe/scene.hpp>
 
+#include "features/common/blast.hpp"
 #include "techniques/fluid/fluid.hpp"
 #include "techniques/smoke/smoke.hpp"
 
@@ -35,7 +37,8 @@ inline constexpr float smoke_ignition = 0.2F;
 [[nodiscard]] uint32_t smoke_channels(const smoke::SmokeStyle& style);
 
 /// Returns the least number of simulation steps per second for smoke: at least 24, and so many that in one
-/// step the wind crosses at most half the zone at the open faces; but at most 480.
+/// step the wind crosses at most half the zone at the open faces, and that exploding air grows by a factor of
+/// at most sqrt(e); but at most 480.
 [[nodiscard]] double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style);
 
 /// Returns the simulation grid of a smoke box; all its faces are open.
@@ -45,6 +48,17 @@ inline constexpr float smoke_ignition = 0.2F;
 [[nodiscard]] fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s);
 
 [[nodiscard]] fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style);
+
+/// Returns the source in the step of `step_s` in which a blast goes off. The air in the source becomes hotter
+/// by smoke.blast_heat, and gets as much smoke as fills the air with smoke of density 1 once it has expanded.
+[[nodiscard]] fluid::Source blasting_source_of(const smoke::Box& box, const smoke::SmokeStyle& style,
+                                               double step_s);
+
+/// Returns the blast of a smoke box; none if the style has no blast, or if the blast's heat is too low for an
+/// explosion. The ball of the blast has the volume of the source above the box's floor. `anchor` is the
+/// origin of positions on the device.
+[[nodiscard]] std::optional<Blast> blast_of(const smoke::Box& box, const smoke::SmokeStyle& style,
+                                            const glm::dvec3& anchor);
 
 /// Returns the air's initial velocity: wind with slight turbulence. Without turbulence smoke would rise in a
 /// straight column.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -138,6 +139,102 @@ TEST(SmokeAir, OutsideAirMakesNoCloud)
     EXPECT_LT(sum_of(end, shared::fluid_cloud), 1e-6 * sum_of(end, shared::fluid_vapour));
     EXPECT_NEAR(at(end, shared::fluid_vapour, 0), 2.0, 1e-5);
     EXPECT_NEAR(at(end, shared::fluid_vapour, air_side - 1), 2.0 * std::exp(2.0 * (0.2 - 15.5 / 16.0)), 1e-5);
+}
+
+/// Share of the cells of a smoke box of 32 x 32 x 32 cells in which the air turns by more than `turn_rad` in
+/// a step, after three seconds.
+double share_of_fast_swirls(float curl, double turn_rad)
+{
+    constexpr int side = 32;
+    smoke::Box large = box_of(2.0F);
+    large.cells = glm::uvec3(side);
+    large.cell_m = 2.0F / side;
+    const smoke::SmokeStyle style{.curl = curl};
+    fluid::Fluid fluid(test::shared_device(), grid_of(large), 2, stirred_air(large, style));
+    fluid.set_shapes({}, std::vector{source_of(large, style)});
+    std::vector<float> velocity;
+    for (uint32_t done = 0; done < 72; done += 4) {
+        gpu::Graph graph;
+        const fluid::FluidFields fields = fluid.add_steps(graph, solving(large, style, step_s), 4);
+        velocity = test::run_and_read_as<float>(graph, fluid::add_layers_copy(graph, fields.velocity));
+    }
+    const auto speed = [&](int axis, glm::ivec3 cell) {
+        cell = (cell + side) % side;
+        return static_cast<double>(
+            velocity[static_cast<size_t>(((axis * side + cell.z) * side + cell.y) * side + cell.x)]);
+    };
+    int fast = 0;
+    for (int i = 0; i < side * side * side; ++i) {
+        const glm::ivec3 cell(i % side, i / side % side, i / (side * side));
+        double square = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int next = (axis + 1) % 3;
+            const int last = (axis + 2) % 3;
+            glm::ivec3 before_next = cell;
+            --before_next[next];
+            glm::ivec3 before_last = cell;
+            --before_last[last];
+            square += std::pow(speed(last, cell) - speed(last, before_next) - speed(next, cell) +
+                                   speed(next, before_last),
+                               2.0);
+        }
+        const double turned_rad = 0.5 * std::sqrt(square) / static_cast<double>(large.cell_m) * step_s;
+        fast += turned_rad > turn_rad ? 1 : 0;
+    }
+    return fast / std::pow(side, 3.0);
+}
+
+TEST(SmokeAir, StrongCurlFeedsNoSwirlsThatAStepCannotFollow)
+{
+    const double usual = share_of_fast_swirls(1.0F, 1.0);
+    const double strong = share_of_fast_swirls(4.0F, 1.0);
+    EXPECT_LT(usual, 0.01);
+    EXPECT_LT(strong, 0.01);
+    EXPECT_GT(share_of_fast_swirls(4.0F, 0.3), 1.2 * share_of_fast_swirls(1.0F, 0.3)) << "it is livelier";
+}
+
+TEST(SmokeAir, ABlastGrowsAsThingsOutsideOfTheSimulationAreTold)
+{
+    // Air that heat neither lifts nor leaves, so that the blast alone moves it.
+    const smoke::SmokeStyle style{.amount_per_s = 0.0F,
+                                  .rise_s = 100.0F,
+                                  .explodes_above = 1.0F,
+                                  .explosion_per_s = 10.0F,
+                                  .blast_at_s = 0.0F,
+                                  .blast_heat = 6.0F};
+    smoke::Box large = box_of(2.0F);
+    large.cells = glm::uvec3(32);
+    large.cell_m = 2.0F / 32.0F;
+    large.grid_from_anchor = glm::scale(glm::mat4(1.0F), glm::vec3(16.0F));
+    const std::optional<Blast> blast = blast_of(large, style, {10.0, 20.0, 30.0});
+    ASSERT_TRUE(blast);
+    EXPECT_NEAR(blast->centre.x, 11.0, 1e-5);
+    EXPECT_NEAR(blast->centre.z, 31.0, 1e-5);
+    EXPECT_GT(blast->centre.y, 20.0);
+    EXPECT_EQ(steps_per_s(large, style), 24.0);
+    const double step = 1.0 / 48.0;
+    fluid::FluidStyle solver = solving(large, style, step);
+    solver.forces.lift_m_s2 = 0.0F;
+    solver.forces.confinement_per_s = 0.0F;
+    fluid::Fluid fluid(test::shared_device(), grid_of(large), 2);
+    fluid.set_shapes({}, std::vector{blasting_source_of(large, style, step)});
+    std::vector<float> hot = quantities_after(fluid, solver, 1);
+    fluid.set_shapes({}, {});
+    const auto heat = [&] {
+        return std::accumulate(hot.begin() + 32 * 32 * 32, hot.end(), 0.0) * std::pow(2.0 / 32.0, 3.0);
+    };
+    EXPECT_NEAR(heat() / 6.0, blast->start_m3, 0.03 * blast->start_m3) << "the volume of the source";
+    // Temperature of the middle, and with it the volume of the ball, by the law.
+    for (int i = 1; i <= 24; ++i) {
+        hot = quantities_after(fluid, solver, 1);
+        const double hottest = static_cast<double>(*std::max_element(hot.begin() + 32 * 32 * 32, hot.end()));
+        const double volume_m3 = blast->start_m3 * 6.0 / hottest;
+        EXPECT_NEAR(volume_m3 / blast->volume_m3(i * step), 1.0, 0.01) << i;
+    }
+    EXPECT_FALSE(blast_of(large, {.explodes_above = 1.0F}, {}));
+    EXPECT_FALSE(blast_of(large, {.blast_at_s = 1.0F}, {}));
+    EXPECT_FALSE(blast_of(large, {.explodes_above = 41.0F, .blast_at_s = 1.0F}, {}));
+    EXPECT_EQ(steps_per_s(large, {.explodes_above = 1.0F, .explosion_per_s = 30.0F}), 60.0);
 }
 
 TEST(SmokeAir, WindBlowsItOutByTheLeeSideAndNoneComesBack)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "gpu/resources.hpp"
@@ -55,6 +56,7 @@ struct Fluid::Handles {
     gpu::BufferId standing;
     SolverTables tables;
     std::optional<gpu::BufferId> mass;
+    std::optional<Swelling> swelling = {};
 };
 
 class Fluid::Step {
@@ -115,7 +117,10 @@ private:
         const shared::FluidShapes shapes = shapes_for(style_.step_s);
         if (has_mass()) {
             const gpu::ImageId moved = add_conserving_advection(graph_, grid_, carried, style_.step_s);
-            newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes, moved);
+            // The conserving advection itself keeps the sums of quantities where the fluid expands.
+            MatterStyle matter = style_.matter;
+            matter.expands_above = 0.0F;
+            newest = add_matter(graph_, grid_, matter, handles_.shapes, shapes, moved);
             return;
         }
         if (advection_for(grid_, style_.quantity_advection) == Advection::maccormack) {
@@ -176,7 +181,19 @@ private:
                                 velocity);
         }
         handles_.unprojected = velocity;
+        if (is_expanding(style_.matter, fluid_.channels_) && !has_swelling_) {
+            handles_.swelling = add_swelling(graph_, grid_, style_.matter,
+                                             {.quantities = handles_.quantities[fluid_.newest_quantities_],
+                                              .solids = handles_.tables.solids,
+                                              .mass = has_mass() ? handles_.mass : std::nullopt,
+                                              .step_s = style_.step_s});
+            has_swelling_ = true;
+        }
         if (has_mass()) {
+            if (handles_.swelling) {
+                handles_.mass = add_swelling_to_mass(graph_, grid_, *std::exchange(handles_.swelling, {}),
+                                                     *handles_.mass);
+            }
             const MassAndVelocity now =
                 add_mass_pressure(graph_, grid_, handles_.tables.solids, {handles_.mass.value(), velocity},
                                   target, style_.step_s);
@@ -184,7 +201,7 @@ private:
             return {now.velocity, now.velocity};
         }
         return add_projection(graph_, grid_, fluid_.trusted(style_.projection),
-                              {velocity, handles_.tables, target}, reflects);
+                              {velocity, handles_.tables, target, handles_.swelling}, reflects);
     }
 
     gpu::Graph& graph_;
@@ -192,7 +209,8 @@ private:
     const Grid& grid_;
     const FluidStyle& style_;
     Handles& handles_;
-    float age_s_; ///< time since the uploaded positions of obstacles and sources were valid
+    float age_s_;               ///< time since the uploaded positions of obstacles and sources were valid
+    bool has_swelling_ = false; ///< the expansion of this step is known
 };
 
 Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span<const float> velocity,
@@ -273,12 +291,16 @@ uint32_t Fluid::most_steps(const FluidStyle& style) const
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
     const uint32_t diffusion =
         style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
-    const uint32_t part = passes_of_advection(grid_, style.velocity_advection) + 4 + diffusion +
+    const uint32_t swells = !is_expanding(style.matter, channels_) ? 0
+                            : has_mass                             ? 1
+                                       : rounds_of_projection(grid_, trusted(style.projection), are_solid());
+    const uint32_t part = passes_of_advection(grid_, style.velocity_advection) + 4 + diffusion + swells +
                           (has_mass ? passes_of_mass_pressure()
                                     : passes_of_projection(grid_, trusted(style.projection), are_solid()));
     const uint32_t quantities =
         has_mass ? passes_of_conserving_advection : passes_of_advection(grid_, style.quantity_advection);
-    const uint32_t step = (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + quantities : 0);
+    const uint32_t step = (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + quantities : 0) +
+                          (swells > 0 ? passes_of_swelling : 0);
     return std::max(most_passes / step, 1U);
 }
 
@@ -335,6 +357,7 @@ FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_
         mass_->keep(graph, *handles.mass);
     }
     fields.mass = handles.mass;
+    fields.swelling = handles.swelling;
     return fields;
 }
 

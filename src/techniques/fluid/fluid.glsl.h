@@ -24,7 +24,9 @@ SHARED_CONSTANT uint fluid_bit_condensing = 0x2000U;
 SHARED_CONSTANT uint fluid_bit_few = 0x800000U; // the fluid has no quantities beyond density and temperature
 // Advection reads displacements that an earlier pass computed.
 SHARED_CONSTANT uint fluid_bit_ways = 0x400000U;
-SHARED_CONSTANT uint fluid_bit_standing = 0x200000U; // some cells are solid permanently
+SHARED_CONSTANT uint fluid_bit_standing = 0x200000U;   // some cells are solid permanently
+SHARED_CONSTANT uint fluid_bit_expanding = 0x1000000U; // fluid above a temperature expands
+SHARED_CONSTANT uint fluid_bit_massive = 0x2000000U;   // the expansion adds mass, and no outflow
 // Bits of `variant` for Fourier and cosine transforms. Without an axis bit, transforms run along x.
 SHARED_CONSTANT uint fluid_bit_along_y = 0x4000U;
 SHARED_CONSTANT uint fluid_bit_along_z = 0x8000U;
@@ -80,9 +82,17 @@ struct FluidForces {
     float lift;      // gain of vertical speed per unit of temperature
     float weight;    // loss of vertical speed per unit of density
     float confinement;
-    float rim_share; // rate of replacement by outside air next to the faces of an open box
-    float rim_cells; // thickness of the layer in which air is replaced
-    vec3 outside;    // velocity of the air outside an open box
+    float surplus;    // further confinement of slow swirls, as a share of `confinement`
+    float swirl_most; // vorticity, for cells of size 1, of a swirl that gets no surplus
+    float rim_share;  // rate of replacement by outside air next to the faces of an open box
+    float rim_cells;  // thickness of the layer in which air is replaced
+    vec3 outside;     // velocity of the air outside an open box
+};
+
+// Confinement of slow swirls in 3D, see FluidForces.
+struct FluidConfine {
+    float surplus;
+    float swirl_most;
 };
 
 // A rounded box turned about z, used for obstacles and sources: all points within `radius_m` of the box.
@@ -135,6 +145,17 @@ struct FluidMatter {
     float rim_share;      // share of the quantities that leaves next to the faces of an open box
     float rim_cells;      // thickness of the layer in which quantities leave
     float outside_vapour; // vapour of the outside air, limited by the air's saturation
+    float expands_above;  // temperature above which the fluid expands
+    float excess_kept;    // share of the excess above that temperature that a step of expansion keeps
+};
+
+// Expansion of hot fluid in a step.
+struct FluidExpansion {
+    float expands_above;
+    float excess_kept;
+    float speed_per_log; // outflow of a cell, per unit of the logarithm of the cell's growth in a step
+    float rim_cells;     // thickness of the layer through which fluid leaves; 0: fluid leaves everywhere
+    uint part_count;     // number of partial sums
 };
 
 // One level of the multigrid solver, or of data stored per multigrid level. A cell of the level with number

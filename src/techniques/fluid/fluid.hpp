@@ -15,6 +15,7 @@
 #include "techniques/fluid/mass/mass.hpp"
 #include "techniques/fluid/matter/matter.hpp"
 #include "techniques/fluid/motion/motion.hpp"
+#include "techniques/fluid/pressure/expansion.hpp"
 #include "techniques/fluid/pressure/projection.hpp"
 
 namespace estampe::fluid {
@@ -48,6 +49,8 @@ struct FluidFields {
     std::optional<gpu::ImageId> quantities = {};
     /// Mass of each cell in units of 1 / 65536, if the fluid has a mass.
     std::optional<gpu::BufferId> mass = {};
+    /// Outflow that the last projection left because hot fluid expands; none with Solver::mass.
+    std::optional<Swelling> swelling = {};
 };
 
 /// A fluid simulation on the GPU. Deterministic: equal start, style and steps give bit-identical fields on

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Fluid features that smoke in a box needs: open ends, permanently solid cells, vorticity confinement in
-// volumes.
+// volumes, expansion of hot air.
+#include <array>
+#include <numeric>
+#include <span>
+
 #include <gtest/gtest.h>
 
 #include "techniques/fluid/fluid_test_support.hpp"
@@ -154,6 +158,346 @@ TEST(FluidBox, ConfinementFeedsVorticesOfVolumesAcrossTheirAxis)
                velocity_of(grid, [](glm::dvec3) { return glm::dvec3(0.5, -0.2, 0.1); }));
     const auto moved = velocity_after(even, style, 2);
     EXPECT_NEAR(number_at(moved, 0, {3, 4, 5}), 0.5F, 1e-4F) << "where nothing turns nothing is fed";
+}
+
+constexpr uint32_t air_side = 32;
+constexpr double hottest = 4.0;
+constexpr std::array all_solvers{Solver::spectral, Solver::multigrid, Solver::jacobi, Solver::mass};
+
+Grid air(Edge edge = Edge::periodic)
+{
+    return {.cells = glm::uvec3(air_side), .cell_m = 0.05F, .edges = {edge, edge, edge}};
+}
+
+/// No force acts, and nothing cools but by expansion, from a temperature of 4 to 1.
+FluidStyle exploding(Solver solver, float per_s = 6.0F)
+{
+    FluidStyle style{.step_s = 1.0F / 48.0F, .stepping = Stepping::project, .projection = {.solver = solver}};
+    style.forces.rim = {.breadth_m = 0.25F, .share_per_s = 4.0F};
+    style.matter.expands_above = 1.0F;
+    style.matter.expansion_per_s = per_s;
+    style.matter.rim = {.breadth_m = 0.25F, .share_per_s = 4.0F};
+    return style;
+}
+
+/// Density, and a temperature, in a ball of `radius_cells` in the middle, with an edge of three cells.
+std::vector<float> ball(const Grid& grid, double radius_cells, double temperature = hottest)
+{
+    return over_nodes(grid, 2, [&](uint32_t channel, glm::uvec3 cell) {
+        const double away = glm::distance(glm::dvec3(cell) + 0.5, glm::dvec3(0.5 * air_side));
+        return std::clamp((radius_cells + 1.5 - away) / 3.0, 0.0, 1.0) * (channel == 0 ? 1.0 : temperature);
+    });
+}
+
+struct Air {
+    std::vector<float> velocity;
+    std::vector<float> quantities;
+};
+
+Air air_after(Fluid& fluid, const FluidStyle& style, uint32_t count)
+{
+    fluid.ensure_mass(test::shared_device(), style);
+    for (uint32_t left = count;;) {
+        const uint32_t now = std::min(left, fluid.most_steps(style));
+        gpu::Graph graph;
+        const FluidFields fields = fluid.add_steps(graph, style, now);
+        left -= now;
+        if (left == 0) {
+            const auto velocity = run_and_read_layers(graph, fields.velocity);
+            gpu::Graph more;
+            return {velocity, run_and_read_layers(more, *fluid.add_steps(more, style, 0).quantities)};
+        }
+        static_cast<void>(run_and_read_layers(graph, fields.velocity));
+    }
+}
+
+size_t index_of(glm::ivec3 cell)
+{
+    return static_cast<size_t>((cell.z * static_cast<int>(air_side) + cell.y) * static_cast<int>(air_side) +
+                               cell.x);
+}
+
+double speed_at(const Air& air, int axis, glm::ivec3 cell)
+{
+    const size_t count = size_t{air_side} * air_side * air_side;
+    return static_cast<double>(air.velocity[static_cast<size_t>(axis) * count + index_of(cell)]);
+}
+
+double temperature_at(const Air& air, glm::ivec3 cell)
+{
+    return static_cast<double>(air.quantities[size_t{air_side} * air_side * air_side + index_of(cell)]);
+}
+
+void for_cells(int from, int to, const auto& visit)
+{
+    for (int z = from; z < to; ++z) {
+        for (int y = from; y < to; ++y) {
+            for (int x = from; x < to; ++x) {
+                visit(glm::ivec3(x, y, z));
+            }
+        }
+    }
+}
+
+/// Flow out of the cube of cells from `from` to `to` along each axis, through its six sides, in cell faces
+/// times metres per second.
+double flux_out(const Air& air, int from, int to)
+{
+    double flux = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int a = from; a < to; ++a) {
+            for (int b = from; b < to; ++b) {
+                glm::ivec3 cell(a, a, a);
+                cell[(axis + 1) % 3] = b;
+                cell[axis] = to;
+                flux += speed_at(air, axis, cell);
+                cell[axis] = from;
+                flux -= speed_at(air, axis, cell);
+            }
+        }
+    }
+    return flux;
+}
+
+/// Outflow that the law of expansion gives a cell in a step, in metres per second.
+double wanted_at(const Air& air, const FluidStyle& style, glm::ivec3 cell)
+{
+    const double hot = temperature_at(air, cell);
+    const auto limit = static_cast<double>(style.matter.expands_above);
+    const auto step_s = static_cast<double>(style.step_s);
+    const double kept = std::exp(-static_cast<double>(style.matter.expansion_per_s) * step_s);
+    return hot > limit ? std::log(hot / (limit + (hot - limit) * kept)) * 0.05 / step_s : 0.0;
+}
+
+double wanted_within(const Air& air, const FluidStyle& style, int from, int to)
+{
+    double sum = 0.0;
+    for_cells(from, to, [&](glm::ivec3 cell) { sum += wanted_at(air, style, cell); });
+    return sum;
+}
+
+TEST(FluidExpansion, AsMuchFlowsOutOfASurfaceAsExpandsWithin)
+{
+    for (const Stepping stepping : {Stepping::project, Stepping::reflect}) {
+        for (const Solver solver : {Solver::spectral, Solver::multigrid, Solver::jacobi}) {
+            FluidStyle style = exploding(solver, 0.4F); // slow, because Jacobi's iteration takes some steps
+            style.stepping = stepping;
+            const Grid grid = air();
+            Fluid fluid(test::shared_device(), grid, 2, {}, ball(grid, 4.0));
+            const Air before = air_after(fluid, style, solver == Solver::jacobi ? 16 : 2);
+            const Air now = air_after(fluid, style, 1);
+            for (const int reach : {6, 8, 10}) {
+                const int from = static_cast<int>(air_side) / 2 - reach;
+                const int to = static_cast<int>(air_side) / 2 + reach;
+                // Reflection projects with the temperature that the step before left.
+                const double wanted =
+                    wanted_within(stepping == Stepping::reflect ? before : now, style, from, to);
+                ASSERT_GT(wanted, 0.1);
+                EXPECT_NEAR(flux_out(now, from, to) / wanted, 1.0, solver == Solver::jacobi ? 0.03 : 1e-4)
+                    << name_of(solver) << ", " << reach;
+            }
+        }
+    }
+}
+
+TEST(FluidExpansion, WithAMassAsMuchFlowsOutOnAverage)
+{
+    const Grid grid = air();
+    const FluidStyle style = exploding(Solver::mass, 0.4F);
+    Fluid fluid(test::shared_device(), grid, 2, {}, ball(grid, 4.0));
+    static_cast<void>(air_after(fluid, style, 16));
+    for (const int reach : {6, 8, 10}) {
+        const int from = static_cast<int>(air_side) / 2 - reach;
+        const int to = static_cast<int>(air_side) / 2 + reach;
+        double flux = 0.0;
+        double wanted = 0.0;
+        for (int i = 0; i < 24; ++i) { // sound runs to and fro
+            const Air now = air_after(fluid, style, 1);
+            flux += flux_out(now, from, to);
+            wanted += wanted_within(now, style, from, to);
+        }
+        EXPECT_NEAR(flux / wanted, 1.0, 0.1) << reach;
+    }
+}
+
+TEST(FluidExpansion, InAClosedRoomTheRestIsCompressed)
+{
+    const Grid grid = air(Edge::free_slip);
+    FluidStyle style = exploding(Solver::multigrid, 0.4F);
+    style.forces.rim = {};
+    style.matter.rim = {};
+    style.projection.projections = 4;
+    Fluid fluid(test::shared_device(), grid, 2, {}, ball(grid, 4.0));
+    const Air now = air_after(fluid, style, 2);
+    const double whole = wanted_within(now, style, 0, air_side);
+    const double within = wanted_within(now, style, 8, 24);
+    EXPECT_NEAR(flux_out(now, 8, 24) / (within - whole / 8.0), 1.0, 2e-3);
+}
+
+TEST(FluidExpansion, AirAroundMovesAwayByTheSquareOfTheDistance)
+{
+    for (const Solver solver : {Solver::spectral, Solver::multigrid}) {
+        const FluidStyle style = exploding(solver, 0.4F);
+        const Grid grid = air();
+        Fluid fluid(test::shared_device(), grid, 2, {}, ball(grid, 2.5));
+        const Air now = air_after(fluid, style, 2);
+        const double strength =
+            wanted_within(now, style, 8, 24) / (4.0 * std::numbers::pi); // of a point, in cells
+        const int middle = air_side / 2;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int away : {4, 5, 6, 7, 8}) {
+                double speed = 0.0;
+                for (int side = -1; side <= 1; side += 2) {
+                    for (int beside = 0; beside < 4; ++beside) { // the four faces around the axis
+                        glm::ivec3 cell(middle);
+                        cell[(axis + 1) % 3] -= beside % 2;
+                        cell[(axis + 2) % 3] -= beside / 2;
+                        cell[axis] += side * away;
+                        speed += side * speed_at(now, axis, cell) / 8.0;
+                    }
+                }
+                // The faces lie half a cell beside the axis along both other axes.
+                const double square = away * away + 0.5;
+                const double wanted = strength * away / std::pow(square, 1.5);
+                EXPECT_NEAR(speed / wanted, 1.0, 0.1) << name_of(solver) << ' ' << axis << ' ' << away;
+            }
+        }
+    }
+}
+
+/// Sum of a quantity over all cells.
+double sum_of(const Air& air, size_t channel)
+{
+    const size_t count = size_t{air_side} * air_side * air_side;
+    const auto of_channel = std::span(air.quantities).subspan(channel * count, count);
+    return std::accumulate(of_channel.begin(), of_channel.end(), 0.0);
+}
+
+double energy_of(const Air& air)
+{
+    return std::pow(norm(air.velocity), 2.0);
+}
+
+/// Air in which a source has heated a ball of `radius_cells` to the hottest temperature, within the first
+/// step.
+Air heated(Fluid& fluid, const FluidStyle& style, float radius_cells)
+{
+    Source source{.shape = disc(glm::vec3(0.8F), 0.05F * radius_cells)};
+    source.gain_per_s[shared::fluid_density] = 1.0F / style.step_s;
+    source.gain_per_s[shared::fluid_temperature] = static_cast<float>(hottest) / style.step_s;
+    fluid.set_shapes({}, {&source, 1});
+    Air air = air_after(fluid, style, 1);
+    fluid.set_shapes({}, {});
+    return air;
+}
+
+TEST(FluidExpansion, ABallGrowsByItsHeatAndKeepsIt)
+{
+    const Grid grid = air();
+    for (const Solver solver : {Solver::spectral, Solver::multigrid, Solver::jacobi}) {
+        const FluidStyle style = exploding(solver, 12.0F);
+        Fluid fluid(test::shared_device(), grid, 2);
+        const Air start = heated(fluid, style, 6.0F);
+        // Each cell should gain its own volume times the excess of its temperature over 1.
+        double wanted_cells = 0.0;
+        for_cells(0, air_side,
+                  [&](glm::ivec3 cell) { wanted_cells += std::max(temperature_at(start, cell) - 1.0, 0.0); });
+        const auto gain_in_a_step = [&](const Air& now) {
+            return flux_out(now, 5, 27) * static_cast<double>(style.step_s) /
+                   static_cast<double>(grid.cell_m);
+        };
+        double gained_cells = gain_in_a_step(start);
+        Air end;
+        for (int i = 0; i < 36; ++i) {
+            end = air_after(fluid, style, 1);
+            gained_cells += gain_in_a_step(end);
+        }
+        const double heat = sum_of(end, 1) / sum_of(start, 1);
+        // The advection loses heat at the ball's edge, which is a cell wide, but never gains any.
+        EXPECT_GT(gained_cells / wanted_cells, 0.7) << name_of(solver);
+        EXPECT_LT(gained_cells / wanted_cells, 1.02) << name_of(solver);
+        EXPECT_GT(heat, 0.8) << name_of(solver);
+        EXPECT_LT(heat, 1.002) << name_of(solver);
+    }
+}
+
+TEST(FluidExpansion, WithAMassABallGrowsByItsHeat)
+{
+    const Grid grid = air();
+    const FluidStyle style = exploding(Solver::mass, 12.0F);
+    Fluid fluid(test::shared_device(), grid, 2);
+    const Air start = heated(fluid, style, 5.0F);
+    // Number of cells over which the density is spread: of a ball of one density, its volume.
+    const auto spread_of = [](const Air& now) {
+        const double root = norm(std::vector<float>(now.quantities.begin(),
+                                                    now.quantities.begin() + air_side * air_side * air_side));
+        return std::pow(sum_of(now, 0) / root, 2.0);
+    };
+    const Air end = air_after(fluid, style, 36);
+    EXPECT_NEAR(spread_of(end) / spread_of(start), hottest, 0.2 * hottest);
+    EXPECT_NEAR(sum_of(end, 1) / sum_of(start, 1), 1.0, 0.01);
+}
+
+TEST(FluidExpansion, APuffEnds)
+{
+    for (const Solver solver : all_solvers) {
+        for (const float per_s : {6.0F, 24.0F}) {
+            const FluidStyle style = exploding(solver, per_s);
+            const Grid grid = air();
+            Fluid fluid(test::shared_device(), grid, 2, {}, ball(grid, 4.0));
+            double most = 0.0;
+            double last = 0.0;
+            const double heat = sum_of({{}, ball(grid, 4.0)}, 1);
+            for (int i = 0; i < 24; ++i) {
+                const Air now = air_after(fluid, style, 4);
+                last = energy_of(now);
+                most = std::max(most, last);
+                EXPECT_LT(sum_of(now, 1), 1.002 * heat) << name_of(solver) << ' ' << i;
+            }
+            EXPECT_LT(last, (solver == Solver::mass ? 0.05 : 0.001) * most) << name_of(solver);
+        }
+    }
+}
+
+TEST(FluidExpansion, CoolAirIsAsWithoutItToTheBit)
+{
+    for (const Stepping stepping : {Stepping::project, Stepping::reflect}) {
+        for (const Solver solver : all_solvers) {
+            const Grid grid = air();
+            FluidStyle style = exploding(solver);
+            style.stepping = stepping;
+            style.forces.lift_m_s2 = 1.0F;
+            const auto risen = [&](float expands_above) {
+                style.matter.expands_above = expands_above;
+                Fluid fluid(test::shared_device(), grid, 2, {}, ball(grid, 4.0));
+                return air_after(fluid, style, 3);
+            };
+            const Air without = risen(0.0F);
+            const Air cool = risen(5.0F);
+            EXPECT_EQ(cool.velocity, without.velocity) << name_of(solver);
+            EXPECT_EQ(cool.quantities, without.quantities) << name_of(solver);
+            EXPECT_NE(risen(2.0F).velocity, without.velocity) << name_of(solver);
+        }
+    }
+}
+
+TEST(FluidExpansion, StandingCellsNeitherExpandNorLetAnythingOut)
+{
+    const Grid grid = air();
+    const FluidStyle style = exploding(Solver::multigrid, 0.4F);
+    Fluid fluid(test::shared_device(), grid, 2, {}, ball(grid, 4.0));
+    std::vector<uint8_t> floor(grid.cell_count());
+    for_cells(0, air_side, [&](glm::ivec3 cell) { floor[index_of(cell)] = cell.y < 14 ? 1 : 0; });
+    fluid.set_standing(test::shared_device(), floor);
+    const Air now = air_after(fluid, style, 3);
+    for_cells(1, air_side - 1, [&](glm::ivec3 cell) {
+        if (cell.y < 14) {
+            ASSERT_EQ(speed_at(now, 1, cell), 0.0);
+        }
+    });
+    double wanted = 0.0;
+    for_cells(6, 26, [&](glm::ivec3 cell) { wanted += cell.y < 14 ? 0.0 : wanted_at(now, style, cell); });
+    EXPECT_NEAR(flux_out(now, 6, 26) / wanted, 1.0, 0.02);
 }
 
 } // namespace

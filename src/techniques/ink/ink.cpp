@@ -240,6 +240,27 @@ void add_stream(Plan& plan, std::vector<float> stream)
     plan.stream = std::move(stream);
 }
 
+void add_blast(Plan& plan, const PageBlast& blast)
+{
+    const uint32_t number = plan.globals.blast_count;
+    if (plan.grid.face_side > 0 || number == shared::most_ink_blasts) {
+        return;
+    }
+    double time_s = plan.time.from_s;
+    bool moves_ink = false;
+    for (shared::InkStep& step : plan.steps) {
+        const float before = blast.cubed_radius_mm3(time_s);
+        time_s += static_cast<double>(step.seconds);
+        step.blast_cubes_mm3[number] = {before, blast.cubed_radius_mm3(time_s)};
+        moves_ink = moves_ink || step.blast_cubes_mm3[number].y > before;
+    }
+    if (moves_ink) {
+        plan.globals.blasts_mm[number] = blast.middle_mm;
+        plan.globals.blast_count = number + 1;
+        plan.variant |= shared::ink_has_blasts;
+    }
+}
+
 namespace {
 
 constexpr uint64_t sums_bytes = 16; // smallest size of the buffer of sums

@@ -10,6 +10,7 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint ink_wave_count = 6U;
 SHARED_CONSTANT uint most_ink_zones = 8U;
+SHARED_CONSTANT uint most_ink_blasts = 4U;
 SHARED_CONSTANT uint ink_shape_side = 64U;   // nodes per side of the field of a zone with the shape of a mesh
 SHARED_CONSTANT uint ink_map_side = 64U;     // nodes per side of a flow map's stream function
 SHARED_CONSTANT uint ink_node_cells = 4U;    // cells of ink between two nodes of the stream function
@@ -31,7 +32,8 @@ SHARED_CONSTANT uint ink_spots_on_things = 1U << 8U; // spots of ink stay on the
 SHARED_CONSTANT uint ink_from_strokes = 1U << 9U;    // dark hatching strokes give ink
 // Bright places give ink; with neither ink_from_light nor ink_from_strokes, all objects give ink.
 SHARED_CONSTANT uint ink_from_light = 1U << 10U;
-SHARED_CONSTANT uint ink_in_strips = 1U << 11U; // for CPUs: one thread processes a strip of cells
+SHARED_CONSTANT uint ink_in_strips = 1U << 11U;  // for CPUs: one thread processes a strip of cells
+SHARED_CONSTANT uint ink_has_blasts = 1U << 12U; // blasts push the ink away from their middles
 
 // One wave of the ink's stream function: amplitude * sin(2 pi (dot(wave, place) + phase)) at the position
 // `place`.
@@ -92,6 +94,8 @@ struct InkGlobals {
     vec3 thin_color;
     vec2 clip_min_px; // upper left corner of the rectangle outside which no ink is drawn
     vec2 clip_max_px;
+    vec2 blasts_mm[most_ink_blasts]; // middles of blasts on the page
+    uint blast_count;
 };
 
 // Constants of one ink step.
@@ -106,6 +110,8 @@ struct InkStep {
     float keeps;      // 1: ink existed before the step; 0: there was no ink
     uint sum_before;  // index of the coverage sum of the ink before the step
     uint sum_now;     // index of the coverage sum of the ink after the step; 2: not measured
+    // Cubed radius of each blast on the page before the step, then after the step, in cubic millimetres.
+    vec2 blast_cubes_mm3[most_ink_blasts];
 };
 
 // The current time, in lifetimes of an ink spot.

@@ -5,6 +5,7 @@
 // is solved. The ink is kept from picture to picture.
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +96,17 @@ struct Plan {
 /// Adds a stream function to the flow of a plan: `shared::ink_map_side` nodes each way over the page, in
 /// square millimetres per second. add_stream() has no effect on ink in a cube around the eye.
 void add_stream(Plan& plan, std::vector<float> stream);
+
+/// A ball of hot air that expands in front of the page, for add_blast().
+struct PageBlast {
+    glm::vec2 middle_mm{0.0F}; ///< middle of the ball on the page, from the upper left corner
+    /// Cubed radius of the ball at a time, in cubic millimetres of the page.
+    std::function<float(double time_s)> cubed_radius_mm3;
+};
+
+/// Adds a blast to the flow of a plan, which pushes ink away from the blast's middle. Has no effect on ink in
+/// a cube around the eye, or beyond shared::most_ink_blasts blasts.
+void add_blast(Plan& plan, const PageBlast& blast);
 
 /// Makes a plan that shows the ink of `plan` on the page at another resolution, without further steps.
 [[nodiscard]] Plan shown_on(const Plan& plan, const Page& page);

@@ -49,6 +49,43 @@ TEST(Ink, DriesIntoThePaperWhereItIs)
     EXPECT_EQ(row(4).y, 0.0F) << "and none upwind";
 }
 
+TEST(Ink, IsSweptAwayByABallThatExpandsAndByNothingElse)
+{
+    // The cubed radius grows from 8^3 to 24^3 within a second.
+    const PageBlast blast{.middle_mm = {40.0F, 32.0F}, .cubed_radius_mm3 = [](double time_s) {
+                              return static_cast<float>(
+                                  glm::mix(512.0, 13824.0, glm::clamp(time_s, 0.0, 1.0)));
+                          }};
+    // A spot outside of the ball, 16 cells to the right of its middle.
+    const auto spot = [](glm::uvec2 cell) {
+        const glm::vec2 off = glm::vec2(cell) + 0.5F - glm::vec2(56.0F, 32.0F);
+        return glm::vec2(std::exp(-glm::dot(off, off) / 8.0F), 0.0F);
+    };
+    const auto middle_after = [&](const std::vector<PageBlast>& blasts) {
+        const InkStyle style = still_ink();
+        Bench bench({96, 64});
+        bench.blasts = blasts;
+        bench.fill(style, spot);
+        for (int tenth = 1; tenth <= 12; ++tenth) {
+            bench.advance(style, tenth / 10.0);
+        }
+        EXPECT_EQ((bench.plan.variant & shared::ink_has_blasts) != 0, false) << "the ball grows no more";
+        const auto cells = bench.cells();
+        glm::dvec2 sum(0.0);
+        double weight = 0.0;
+        for (size_t i = 0; i < cells.size(); ++i) {
+            sum += static_cast<double>(cells[i].x) * (glm::dvec2(i % 96, i / 96) + 0.5);
+            weight += static_cast<double>(cells[i].x);
+        }
+        return sum / weight;
+    };
+    const glm::dvec2 still = middle_after({});
+    EXPECT_NEAR(still.x, 56.0, 1e-3);
+    const glm::dvec2 swept = middle_after({blast});
+    EXPECT_NEAR(swept.x, 40.0 + std::cbrt(std::pow(16.0, 3.0) + 13824.0 - 512.0), 0.4);
+    EXPECT_NEAR(swept.y, 32.0, 0.05);
+}
+
 /// A disc with a slot, after Zalesak.
 float slotted(glm::dvec2 from_middle, double radius)
 {

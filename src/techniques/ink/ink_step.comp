@@ -54,6 +54,7 @@ const bool is_moved = (variant & ink_is_moved) != 0u;
 const bool is_on_surface = (variant & ink_on_surface) != 0u;
 const bool has_motion = (variant & ink_has_motion) != 0u;
 const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
+const bool has_blasts = (variant & ink_has_blasts) != 0u;
 
 #include "techniques/ink/flow/carried.glsl"
 #include "techniques/ink/front.glsl"
@@ -203,6 +204,16 @@ float given_along(vec2 grid, vec2 path)
     return step.given * given / float(stops);
 }
 
+// Displacement, in cells, of the ink that arrives at a place of the page, by all blasts.
+vec2 swept_cells(vec2 place_mm)
+{
+    vec2 moved_mm = vec2(0.0);
+    for (uint i = 0u; i < globals.blast_count; ++i) {
+        moved_mm += swept_mm(place_mm - globals.blasts_mm[i], step.blast_cubes_mm3[i]);
+    }
+    return moved_mm / globals.mm_per_cell;
+}
+
 void main()
 {
     ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
@@ -223,6 +234,9 @@ void main()
     } else {
         vec2 page_px = page_place_of_grid(grid);
         vec2 drift = carried_cells(grid, step.seconds);
+        if (has_blasts) {
+            drift += swept_cells(page_px / globals.px_per_mm);
+        }
         if (is_moved) {
             Before was = before_at(page_px);
             vec2 from = grid_place_of_page(was.page_px);

@@ -83,6 +83,9 @@ public:
                  const std::vector<shared::InkZone>& zones = {})
     {
         plan = plan_of(style, page(), time_of(style, time_s, memory.time_s()), view, zones);
+        for (const PageBlast& blast : blasts) {
+            add_blast(plan, blast);
+        }
         auto& device = test::shared_device();
         memory.ensure(device, style, plan);
         if (!painted_ || !keeps_layers) {
@@ -149,6 +152,7 @@ public:
 
     glm::uvec2 size;
     Camera camera;
+    std::vector<PageBlast> blasts;
     bool keeps_layers = false; ///< keeps the layers that were painted first
     test::Painter<float> hatch_at = [](glm::uvec2) { return 0.0F; };
     test::Painter<float> depth_at = [](glm::uvec2) { return 0.0F; };

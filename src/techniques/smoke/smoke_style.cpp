@@ -76,6 +76,20 @@ const style::Table<SmokeStyle>& smoke_table()
             .number("soot", &SmokeStyle::soot, {0.0F, 10.0F}, "",
                     "Amount of smoke from burning fuel: 0 burns without smoke, more gives darker, sootier "
                     "fire. Only used when smoke.fuel_per_s is above 0.")
+            .number("explodes_above", &SmokeStyle::explodes_above, {0.0F, 100.0F}, "",
+                    "Warmth above which air expands suddenly, as in an explosion; 0 never. Where smoke comes "
+                    "out, "
+                    "the air has a warmth of up to 2; smoke.blast_heat is in the same unit.")
+            .number("explosion_per_s", &SmokeStyle::explosion_per_s, {0.1F, 100.0F}, "1/s",
+                    "How suddenly air that is too warm expands: more gives a shorter, harder blast. Only "
+                    "used when smoke.explodes_above is above 0.")
+            .number("blast_at_s", &SmokeStyle::blast_at_s, {-1.0F, 1e6F}, "s",
+                    "Time in a film at which air gets hot where smoke comes out, and explodes. -1 gives no "
+                    "blast. Only used when smoke.explodes_above is above 0.")
+            .number(
+                "blast_heat", &SmokeStyle::blast_heat, {0.0F, 100.0F}, "",
+                "Warmth that the air gets at smoke.blast_at_s: more gives a larger explosion. The volume of "
+                "hot air grows by the factor smoke.blast_heat divided by smoke.explodes_above.")
             .number("humidity", &SmokeStyle::humidity, {0.0F, 10.0F}, "",
                     "Amount of water in the air that rises with smoke, which turns into a cloud higher up. "
                     "More gives a denser cloud, 0 gives no cloud.")

@@ -45,6 +45,10 @@ struct SmokeStyle {
     float burn_s = 0.4F;
     float burn_heat = 1.0F;
     float soot = 0.5F;
+    float explodes_above = 0.0F;
+    float explosion_per_s = 12.0F;
+    float blast_at_s = -1.0F;
+    float blast_heat = 40.0F;
     float humidity = 0.0F;
     float cloud_base = 0.4F;
     float humidity_outside = 0.7F;
@@ -80,6 +84,18 @@ struct SmokeStyle {
 [[nodiscard]] inline bool is_burning(const SmokeStyle& style)
 {
     return style.fuel_per_s > 0.0F;
+}
+
+/// Whether hot air expands.
+[[nodiscard]] inline bool is_explosive(const SmokeStyle& style)
+{
+    return style.explodes_above > 0.0F;
+}
+
+/// Whether a burst of heat comes out of the sources at some time.
+[[nodiscard]] inline bool has_blast(const SmokeStyle& style)
+{
+    return style.blast_at_s >= 0.0F;
 }
 
 [[nodiscard]] inline bool is_moist(const SmokeStyle& style)

@@ -6,6 +6,8 @@
 // `matter`, a FluidMatter. Include fluid_matter.glsl after fluid_shapes.glsl; the requirements of
 // fluid_shapes.glsl apply.
 
+#include "techniques/fluid/pressure/fluid_growth.glsl"
+
 const int most_channels = (variant & fluid_bit_few) != 0u ? fluid_fuel : int(fluid_most_channels);
 
 float gain_of_channel(FluidShape shape, int channel)
@@ -47,10 +49,23 @@ void condense(inout float amounts[fluid_most_channels], float height_m)
     amounts[fluid_temperature] += matter.latent_heat * moved;
 }
 
+// Thins the quantities of fluid that has grown, so that their sums over the grown volume stay as they were.
+// The temperature counts as such an amount, so expanding fluid cools.
+void thin(inout float amounts[fluid_most_channels])
+{
+    float share = 1.0 / growth_at(amounts[fluid_temperature], matter.expands_above, matter.excess_kept);
+    for (int i = 0; i < min(most_channels, fluid_cloud + 1); ++i) {
+        amounts[i] *= share;
+    }
+}
+
 // Applies all changes of a cell's quantities in a step. Channels from `most_channels` on do not change.
 void settle(inout float amounts[fluid_most_channels], ivec3 cell)
 {
     vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
+    if ((variant & fluid_bit_expanding) != 0u) {
+        thin(amounts);
+    }
     float least = 0.0; // lowest density that the sources allow in the cell
     float least_vapour = 0.0;
     for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {

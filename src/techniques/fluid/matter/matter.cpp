@@ -159,7 +159,9 @@ MatterConstants constants_of(const Grid& grid, const MatterStyle& style, const s
                        .latent_heat = style.latent_heat,
                        .rim_share = 1.0F - kept(style.rim.share_per_s),
                        .rim_cells = style.rim.breadth_m / grid.cell_m,
-                       .outside_vapour = style.outside_vapour}};
+                       .outside_vapour = style.outside_vapour,
+                       .expands_above = style.expands_above,
+                       .excess_kept = kept(style.expansion_per_s)}};
 }
 
 uint32_t bits_of(const Grid& grid, const MatterStyle& style, uint32_t channels)
@@ -168,6 +170,7 @@ uint32_t bits_of(const Grid& grid, const MatterStyle& style, uint32_t channels)
     const bool is_condensing = style.condensing_per_s > 0.0F && channels > shared::fluid_cloud;
     return grid_bits(grid) | (channels <= uint32_t{shared::fluid_fuel} ? shared::fluid_bit_few : 0U) |
            (is_burning ? shared::fluid_bit_burning : 0U) |
+           (is_expanding(style, channels) ? shared::fluid_bit_expanding : 0U) |
            (is_condensing ? shared::fluid_bit_condensing : 0U);
 }
 

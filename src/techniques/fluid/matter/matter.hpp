@@ -102,11 +102,22 @@ struct MatterStyle {
                                         ///< the surroundings are colder above
     float latent_heat = 0.0F;           ///< gain of temperature per unit of condensed vapour
 
+    /// Temperature above which the fluid expands until it has cooled to this temperature, see add_swelling();
+    /// 0: the fluid never expands.
+    float expands_above = 0.0F;
+    float expansion_per_s = 0.0F; ///< rate at which the excess of temperature turns into volume
+
     Rim rim; ///< layer where density, heat, fuel and cloud leave, and vapour becomes `outside_vapour`
     float outside_vapour = 0.0F; ///< vapour of the outside air, limited by the air's saturation
 
     bool operator==(const MatterStyle&) const = default;
 };
+
+/// Whether fluid with `channels` quantities may expand.
+[[nodiscard]] inline bool is_expanding(const MatterStyle& style, uint32_t channels)
+{
+    return style.expands_above > 0.0F && channels > shared::fluid_temperature;
+}
 
 /// Adds a pass that applies one step of MatterStyle and of the sources to `quantities`. Returns `quantities`
 /// itself if nothing changes the quantities.

@@ -18,9 +18,11 @@ layout(binding = 1, rgba16f) writeonly uniform image2DArray out_force;
 layout(push_constant, scalar) uniform Constants
 {
     FluidGrid grid;
+    FluidConfine confine;
 };
 
 #include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/motion/fluid_surplus.glsl"
 
 vec4 curl_at(ivec3 cell)
 {
@@ -33,12 +35,21 @@ void main()
     if (!is_in_grid(cell)) {
         return;
     }
+    vec4 here = curl_at(cell);
+    float fastest =
+        here.w; // of the cell and its neighbours: the force at the edge of a swirl feeds its middle
     vec3 gradient;
     for (int axis = 0; axis < 3; ++axis) {
-        gradient[axis] = curl_at(neighbour(cell, axis, 1)).w - curl_at(neighbour(cell, axis, -1)).w;
+        float after = curl_at(neighbour(cell, axis, 1)).w;
+        float before = curl_at(neighbour(cell, axis, -1)).w;
+        gradient[axis] = after - before;
+        fastest = max(fastest, max(after, before));
     }
     // Vorticity confinement: the force is perpendicular to the curl and to the gradient of the curl's
     // strength. The gradient is scaled to a length of at most 1.
-    vec3 force = cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), curl_at(cell).xyz);
+    vec3 force = cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), here.xyz);
+    if (confine.surplus > 0.0) {
+        force *= fed_by_surplus(fastest, confine.surplus, confine.swirl_most);
+    }
     imageStore(out_force, cell, vec4(force, 0.0));
 }

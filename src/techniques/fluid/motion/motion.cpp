@@ -177,8 +177,17 @@ gpu::ImageId add_diffusion(gpu::Graph& graph, const Grid& grid, gpu::ImageId vel
 
 namespace {
 
+/// Constants of the confinement in a step of `time_s`.
+shared::FluidConfine confine_constants(const Grid& grid, const ForceStyle& style, float time_s)
+{
+    // A swirl that turns as a rigid body has a vorticity of twice its angular speed.
+    return {.surplus = style.surplus_per_s > 0.0F ? style.surplus_per_s / style.confinement_per_s : 0.0F,
+            .swirl_most = 2.0F * most_turn_rad * grid.cell_m / time_s};
+}
+
 /// Vorticity confinement force of a 3D fluid, at cell centres.
-gpu::ImageId confining_force(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity)
+gpu::ImageId confining_force(gpu::Graph& graph, const Grid& grid, const shared::FluidConfine& constants,
+                             gpu::ImageId velocity)
 {
     auto curl_pass = graph.compute("fluid/curl", shaders::fluid_curl_comp);
     curl_pass.sample(velocity);
@@ -188,7 +197,7 @@ gpu::ImageId confining_force(gpu::Graph& graph, const Grid& grid, gpu::ImageId v
     auto pass = graph.compute("fluid/confine", shaders::fluid_confine_comp);
     pass.sample(curl);
     const gpu::ImageId force = pass.write(graph.image("fluid/confining", vectors_desc(grid, 1)));
-    pass.push(grid_constants(grid)).variant(grid_bits(grid));
+    pass.push(WithGrid<shared::FluidConfine>{grid_constants(grid), constants}).variant(grid_bits(grid));
     dispatch_over_cells(pass, grid);
     return force;
 }
@@ -203,8 +212,9 @@ gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& s
     }
     const bool is_buoyant = quantities.has_value() && (style.lift_m_s2 != 0.0F || style.weight_m_s2 != 0.0F);
     const bool is_confined = style.confinement_per_s != 0.0F;
+    const shared::FluidConfine confine = confine_constants(grid, style, time_s);
     const gpu::ImageId confining =
-        is_confined && grid.is_volume() ? confining_force(graph, grid, velocity) : velocity;
+        is_confined && grid.is_volume() ? confining_force(graph, grid, confine, velocity) : velocity;
     auto pass = graph.compute("fluid/forces", shaders::fluid_forces_comp);
     pass.sample(velocity, gpu::Sampling::linear_repeat)
         .sample(quantities.value_or(velocity))
@@ -216,6 +226,8 @@ gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& s
                                              .lift = time_s * style.lift_m_s2,
                                              .weight = time_s * style.weight_m_s2,
                                              .confinement = time_s * style.confinement_per_s,
+                                             .surplus = confine.surplus,
+                                             .swirl_most = confine.swirl_most,
                                              .rim_share = 1.0F - std::exp(-style.rim.share_per_s * time_s),
                                              .rim_cells = style.rim.breadth_m / grid.cell_m,
                                              .outside = style.outside_m_per_s}})

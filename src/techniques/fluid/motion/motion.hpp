@@ -80,11 +80,21 @@ struct ForceStyle {
     /// Strength of vorticity confinement: speed that a vortex gains per second, as a share of the vortex's
     /// speed difference across one cell.
     float confinement_per_s = 0.0F;
+    /// Further confinement of slow swirls. The surplus falls with the square of a swirl's speed: to nothing
+    /// for swirls that turn by `most_turn_rad` in a step, and below, until faster swirls have no confinement
+    /// at all. Only used together with `confinement_per_s`.
+    float surplus_per_s = 0.0F;
     Rim rim; ///< layer at open ends where the fluid approaches `outside_m_per_s`
     glm::vec3 outside_m_per_s{0.0F};
 
     bool operator==(const ForceStyle&) const = default;
 };
+
+/// Angle by which a swirl turns in a step, in radians, from which on it gets no surplus of confinement. The
+/// midpoint rule moves a particle that turns by the angle a in a step outwards, by the factor
+/// sqrt(1 + a^4 / 4). In a whole turn this makes 3 % at a third of a radian, but a factor of 2 at one radian,
+/// where the paths leave the swirl and tear what the fluid carries into clumps.
+inline constexpr float most_turn_rad = 1.0F / 3.0F;
 
 /// Adds a pass that returns `velocity` after `time_s` of forces, or `velocity` itself if there are no forces.
 /// Without `quantities` there is no lift or weight.

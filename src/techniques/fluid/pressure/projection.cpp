@@ -15,6 +15,7 @@
 #include "shaders/fluid_reflect_comp.hpp"
 #include "shaders/fluid_weights_comp.hpp"
 #include "techniques/fluid/alternatives/jacobi.hpp"
+#include "techniques/fluid/pressure/expansion.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
 
 namespace estampe::fluid {
@@ -84,10 +85,11 @@ const char* name_of(Solver solver)
 
 bool is_of_projection(std::string_view pass)
 {
-    constexpr std::array<std::string_view, 13> names{
-        "fluid/divergence", "fluid/gradient",  "fluid/reflect",       "fluid/jacobi",   "fluid/up",
-        "fluid/down",       "fluid/small",     "fluid/sweep",         "fluid/restrict", "fluid/coarsest",
-        "fluid/divide",     "fluid/transform", "fluid/transform back"};
+    constexpr std::array<std::string_view, 16> names{
+        "fluid/divergence", "fluid/gradient",  "fluid/reflect",        "fluid/jacobi",   "fluid/up",
+        "fluid/down",       "fluid/small",     "fluid/sweep",          "fluid/restrict", "fluid/coarsest",
+        "fluid/divide",     "fluid/transform", "fluid/transform back", "fluid/expand",   "fluid/vent",
+        "fluid/swell"};
     return std::ranges::find(names, pass) != names.end() || pass.starts_with("fluid/medium");
 }
 
@@ -149,6 +151,11 @@ uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bo
     return chosen.projections * (of_solve() + 2);
 }
 
+uint32_t rounds_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids)
+{
+    return chosen_style(grid, style, has_solids).projections;
+}
+
 gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                            gpu::BufferId divergence, const SolverTables& tables)
 {
@@ -172,7 +179,10 @@ Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionSt
     const ProjectionStyle chosen = chosen_style(grid, style, input.tables.solids.are_any);
     gpu::ImageId velocity = input.velocity;
     for (uint32_t i = 0;; ++i) {
-        const gpu::BufferId divergence = add_divergence(graph, grid, velocity, input.tables.solids);
+        gpu::BufferId divergence = add_divergence(graph, grid, velocity, input.tables.solids);
+        if (input.swelling) {
+            divergence = add_swelling_to_outflow(graph, grid, *input.swelling, divergence);
+        }
         const gpu::BufferId pressure = add_pressure(graph, grid, chosen, divergence, input.tables);
         if (i + 1 < chosen.projections) {
             velocity = add_gradient(graph, grid, input.tables.solids, velocity, pressure,

@@ -5,6 +5,7 @@
 // gradient.
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "gpu/graph/execute.hpp"
@@ -59,10 +60,19 @@ struct SolverTables {
 /// The openings depend on walls and obstacles only.
 [[nodiscard]] gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
 
+/// Outflow that a projection leaves, because hot fluid expands; made by add_swelling().
+struct Swelling {
+    gpu::BufferId wanted; ///< outflow of each cell in metres per second, or the mass that it gains
+    gpu::BufferId share;  ///< one number: what a cell at the rim lets out, in units of `wanted`
+    Solids solids;
+    float rim_cells = 0.0F; ///< thickness of the rim in cells; 0: each cell lets out the share
+};
+
 struct ProjectionInput {
     gpu::ImageId velocity;
     SolverTables tables;
     gpu::ImageId target; ///< overwritten with the projected velocity
+    std::optional<Swelling> swelling = {};
 };
 
 /// Whether a graph pass with the name `pass` belongs to a projection; excludes the passes of add_weights().
@@ -71,8 +81,12 @@ struct ProjectionInput {
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                        const ProjectionInput& input, bool reflects);
 
-/// Number of graph passes that a projection takes.
+/// Number of graph passes that a projection takes, without those of an expansion.
 [[nodiscard]] uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids);
+
+/// How often a projection measures and removes the divergence; each time costs a pass more if the fluid
+/// expands.
+[[nodiscard]] uint32_t rounds_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids);
 
 /// Adds passes that solve for the pressure of each cell from the cells' outflow.
 [[nodiscard]] gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,

@@ -39,4 +39,18 @@ vec2 carried_cells(vec2 grid, float seconds)
     return float(ink_node_cells) * seconds * (velocity - 0.5f * seconds * acceleration);
 }
 
+// Displacement by a ball that expands, of ink that arrives at a place `away_mm` from the ball's middle.
+// `cubes_mm3` holds the ball's cubed radius before and after. Outside of the ball, the cubed distance grows
+// as the cubed radius does; inside, the ink spreads evenly.
+vec2 swept_mm(vec2 away_mm, vec2 cubes_mm3)
+{
+    float distance_mm = length(away_mm);
+    float cube = distance_mm * distance_mm * distance_mm;
+    if (cubes_mm3.y <= cubes_mm3.x || cube <= 0.0f) {
+        return vec2(0.0f);
+    }
+    float share = cube > cubes_mm3.y ? 1.0f - (cubes_mm3.y - cubes_mm3.x) / cube : cubes_mm3.x / cubes_mm3.y;
+    return away_mm * (1.0f - pow(share, 1.0f / 3.0f));
+}
+
 #endif
