@@ -282,6 +282,23 @@ struct Animation {
     float start_s = 0.0F;
 };
 
+/// A room of the scene, as a box along the axes of world space, for culling by cells and portals (the style
+/// parameter `culling.cells`). Space outside of all boxes is one further cell, outdoors. Cells hold what lies
+/// in them by place: nodes are not assigned to cells.
+struct SceneCell {
+    std::string name;
+    glm::dvec3 low_m{0.0}, high_m{0.0}; ///< Opposite corners of the box
+};
+
+/// An opening through which one sees from one cell into another. The faces of all cells must be opaque except
+/// for their portals; a portal may be larger than the real opening. no_index is outdoors, outside of all
+/// cells.
+struct ScenePortal {
+    std::vector<glm::dvec3> corners_m; ///< Convex flat polygon in world space, 3 to 12 corners in order
+    Index from = no_index;             ///< Cell on one side of the portal
+    Index to = no_index;               ///< Cell on the other side of the portal
+};
+
 /// The content of a scene file, as arrays that refer to each other by index. Programs can also build a scene
 /// themselves; the defaults of all members are those of glTF.
 struct Scene {
@@ -309,6 +326,8 @@ struct Scene {
     std::optional<double> file_unit_m;
     /// Repairs made while the scene's file was read, one line of text each.
     std::vector<std::string> warnings;
+    std::vector<SceneCell> cells;     ///< Rooms of the scene; empty if the scene is not divided into rooms
+    std::vector<ScenePortal> portals; ///< Openings between `cells`
 };
 
 /// Returns the cloth material of a primitive, from its node or else from its material; null if the primitive

@@ -79,10 +79,10 @@ void check_sections(const std::vector<Section>& sections, std::span<features::Fe
 
 } // namespace
 
-std::array<features::Feature*, 12> Features::all()
+std::array<features::Feature*, 13> Features::all()
 {
-    return {&shadows, &lighting, &occlusion, &lines,     &hatching,    &cloth,
-            &ink,     &smoke,    &clouds,    &particles, &motion_blur, &toon};
+    return {&shadows, &lighting, &occlusion, &lines,       &hatching, &cloth,  &ink,
+            &smoke,   &clouds,   &particles, &motion_blur, &toon,     &culling};
 }
 
 void Features::invalidate(features::Event event)

@@ -11,6 +11,7 @@
 
 #include "features/cloth/cloth_simulation.hpp"
 #include "features/clouds/clouds.hpp"
+#include "features/culling/culling.hpp"
 #include "features/hatching/hatching.hpp"
 #include "features/ink/flowing_ink.hpp"
 #include "features/lighting/lighting.hpp"
@@ -37,9 +38,10 @@ struct Features {
     features::Particles particles;
     features::MotionBlur motion_blur;
     features::Toon toon;
+    features::Culling culling;
 
     /// All features, in the order of their sections in a film's saved state.
-    [[nodiscard]] std::array<features::Feature*, 12> all();
+    [[nodiscard]] std::array<features::Feature*, 13> all();
 
     void invalidate(features::Event event);
 };

@@ -15,6 +15,7 @@
 #include "features/terrain/ground_mesh.hpp"
 #include "scene/scene_limits.hpp"
 #include "scene/visibility.hpp"
+#include "techniques/cells/cells.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -26,9 +27,11 @@ Scene without_images(const Scene& scene)
     // The structured binding lists all members of Scene, so that the compiler reports a new member that is
     // missing here. Images are not copied, because they may take most of the memory.
     const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
-                 frames_per_s, variants, terrain, used, ignored, missing, unit, warnings] = scene;
-    Scene copy{name,       {},           materials, meshes,  nodes, roots,   skins,   lights, cameras,
-               animations, frames_per_s, variants,  terrain, used,  ignored, missing, unit,   warnings};
+                 frames_per_s, variants, terrain, used, ignored, missing, unit, warnings, cells, portals] =
+        scene;
+    Scene copy{name,    {},      materials,  meshes,       nodes,    roots,   skins,
+               lights,  cameras, animations, frames_per_s, variants, terrain, used,
+               ignored, missing, unit,       warnings,     cells,    portals};
     for (const Texture& texture : textures) {
         copy.textures.push_back(
             {.name = texture.name, .image = {}, .wrap_u = texture.wrap_u, .wrap_v = texture.wrap_v});
@@ -158,6 +161,7 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
 LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Lightmap* lightmap)
 {
     check_drawn_size(given);
+    cells::check_cells(given);
     const bool has_cloth = features::MovingCloth::is_in(given);
     const Scene two_sided = has_cloth ? with_both_sides(given) : Scene{};
     const Scene& whole = has_cloth ? two_sided : given;
@@ -170,6 +174,12 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     }
     loaded.scene = without_images(scene);
     hide_invisible(loaded.scene);
+    if (given.cells.empty()) {
+        cells::NamedCells named = cells::named_cells(given);
+        loaded.scene.cells = std::move(named.cells);
+        loaded.scene.portals = std::move(named.portals);
+        loaded.notes_of_cells = std::move(named.notes);
+    }
     std::future<pose::MeshData> layout =
         std::async(launch_if_possible, [&] { return layout_of(loaded.scene); });
     const surface::TexturePlan textures = surface::plan_textures(scene, device.limits().maxImageArrayLayers);

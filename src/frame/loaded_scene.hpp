@@ -43,6 +43,7 @@ struct LoadedScene {
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
     std::vector<std::string> notes;           ///< warnings about the scene's textures
+    std::vector<std::string> notes_of_cells;  ///< warnings about nodes that name cells and portals
     std::optional<Lightmap> lightmap;         ///< lightmap of the scene; none unless the caller gave one
     std::optional<features::WornLight> baked; ///< `lightmap` mapped to the triangles of `layout`
     std::optional<pose::PoseData> pose;       ///< pose of the vertices on the device; none after a new layout

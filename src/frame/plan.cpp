@@ -277,6 +277,8 @@ FramePlan plan_frame(const PlanInputs& in, PlanLists room)
     return {.page_px = page.size_px,
             .page = page,
             .raster = plan_raster(in),
+            .culls_cells = in.style.culling.cells == cells::Culling::portals &&
+                           !in.loaded.scene.cells.empty() && !page.pixel.is_parallel,
             .needs = in.loaded.needs,
             .variants = std::move(variants),
             .strokes = std::move(strokes),

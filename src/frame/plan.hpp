@@ -121,6 +121,8 @@ struct FramePlan {
     glm::uvec2 page_px{0}; ///< size of the whole page, even while `page` describes a tile or a survey
     PagePlan page;
     RasterPlan raster;
+    /// Rooms that are not seen through portals are not drawn on the page.
+    bool culls_cells = false;
     surface::SceneNeeds needs;
     features::StyleVariants variants;
     features::StrokePlan strokes;

@@ -151,6 +151,12 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
         notes.push_back(fmt::format("the ground is drawn slowly: {}", loaded->terrain->problem()));
     }
     std::ranges::copy(features::idle_overrides(loaded->scene, tables), std::back_inserter(notes));
+    if (tables.culling.cells == cells::Culling::portals) {
+        std::ranges::copy(loaded->notes_of_cells, std::back_inserter(notes));
+        if (loaded->scene.cells.empty()) {
+            notes.emplace_back("culling.cells is portals, but the scene has no cells: all of it is drawn");
+        }
+    }
     if (lighting.indoors) {
         notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }

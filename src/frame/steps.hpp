@@ -29,6 +29,9 @@ struct PosedScene {
     raster::RasterInputs meshes;
     /// Bounding boxes of clusters of triangles; only set if a pass reads them.
     std::optional<gpu::BufferId> cluster_bounds;
+    /// Bits of the clusters in rooms that the eye sees; only set if the plan culls by cells. Valid for the
+    /// page and for vertices at their places.
+    std::optional<gpu::BufferId> seen_clusters;
 };
 
 /// Transparent surfaces of the frame, and clear bodies such as glass.

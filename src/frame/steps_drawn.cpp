@@ -49,6 +49,7 @@ gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& s
     PosedScene drawn_out = scene;
     drawn_out.meshes.posed_vertices = shape->vertices;
     drawn_out.vertices_before = shape->before;
+    drawn_out.seen_clusters.reset(); // triangles that are drawn out may leave their room
     features::MotionPlan moved = plan.motion;
     moved.pose_moved = true;
     const gpu::BufferId visibility = add_visibility(context, drawn_out, "motion blur/visibility");

@@ -23,7 +23,7 @@ bool wants_cluster_bounds(const FrameContext& context)
     const RasterPlan& plan = context.plan.raster;
     return (context.sample.is_first && !context.plan.local_shadows.views.empty()) ||
            (plan.paths.page == RasterPath::compute &&
-            context.loaded.layout.opaque.count >= plan.tuning.clusters_from);
+            (context.loaded.layout.opaque.count >= plan.tuning.clusters_from || context.plan.culls_cells));
 }
 
 /// Draws the surfaces behind clear bodies, for colour and for lines, if the scene has clear bodies such as
@@ -107,6 +107,14 @@ PosedScene add_posed_scene(const FrameContext& context)
             graph, context.device, scene.meshes,
             static_cast<uint32_t>(context.loaded.layout.triangles.size()), context.plan.raster.tuning);
     }
+    if (context.plan.culls_cells) {
+        scene.seen_clusters =
+            context.features.culling.record(graph, context.device,
+                                            {.scene = context.loaded.scene,
+                                             .layout = context.loaded.layout,
+                                             .clip_from_anchor = context.sample.clip_from_anchor,
+                                             .size_px = context.sample.size_px});
+    }
     return scene;
 }
 
@@ -114,6 +122,7 @@ gpu::BufferId add_visibility(const FrameContext& context, const PosedScene& scen
 {
     raster::View view = eye_view(context);
     view.cluster_bounds = scene.cluster_bounds;
+    view.seen_clusters = scene.seen_clusters;
     return raster::add_visibility(context.graph, name, scene.meshes,
                                   solid_batches(context.loaded.layout, context.plan.page.has_ground), view);
 }

@@ -32,7 +32,13 @@ bool stands_open(const Plan& plan, const WallRun& wall)
     return is_open(wall.a) && is_open(wall.b);
 }
 
-Kit build_run(const Plan& plan, const WallRun& run, Dice dice)
+/// Place where the stones of a wall begin, at the edge of a pier.
+glm::vec2 beginning_of(const WallRun& run)
+{
+    return run.from_m + 0.8F * post_half_m * glm::normalize(run.to_m - run.from_m);
+}
+
+Wall wall_of(const Plan& plan, const WallRun& run, Dice& dice)
 {
     Wall wall{.length_m = glm::distance(run.from_m, run.to_m) - 1.6F * post_half_m,
               .height_m = run.height_m,
@@ -51,9 +57,14 @@ Kit build_run(const Plan& plan, const WallRun& run, Dice dice)
     } else if (run.a == outside || run.b == outside) {
         wall.top_m = ruined_top(run.height_m, 1.3F / run.height_m, dice);
     }
+    return wall;
+}
+
+Kit build_run(const Plan& plan, const WallRun& run, Dice dice)
+{
+    const Wall wall = wall_of(plan, run, dice);
     // Walls are built along +x; a wall along z begins at its end with the greater z.
-    const glm::vec2 way = glm::normalize(run.to_m - run.from_m);
-    const glm::vec2 from = run.from_m + 0.8F * post_half_m * way;
+    const glm::vec2 from = beginning_of(run);
     Kit kit;
     kit.add(build_wall(wall, lay(wall, dice), dice),
             at({from.x, floor_m, from.y}, run.is_along_x ? 0.0F : 90.0F));
@@ -244,6 +255,101 @@ std::vector<Thing> build_prison(const Plan& plan, uint64_t seed)
     }
     things.push_back({.name = "bars", .kit = std::move(bars)});
     return things;
+}
+
+namespace {
+
+/// A slit between a ruined wall and the roof beside it, from end to end of the missing stones.
+struct Slit {
+    float first_m, last_m; ///< places along the wall
+    float lowest_m;        ///< top of the lowest stone, above the floor
+};
+
+std::optional<Slit> slit_below(float roof_m, const Wall& wall, const Laid& laid)
+{
+    constexpr float step_m = 0.1F;
+    std::optional<Slit> slit;
+    for (float x_m = 0.0F; x_m < wall.length_m; x_m += step_m) {
+        float top_m = 0.0F;
+        for (const std::vector<Stone>& course : laid.courses) {
+            for (const Stone& stone : course) {
+                top_m = x_m >= stone.left_m && x_m <= stone.right_m ? std::max(top_m, stone.high_m) : top_m;
+            }
+        }
+        if (top_m < roof_m) {
+            slit = slit ? Slit{slit->first_m, x_m + step_m, std::min(slit->lowest_m, top_m)}
+                        : Slit{x_m - step_m, x_m + step_m, top_m};
+        }
+    }
+    return slit;
+}
+
+} // namespace
+
+void add_cells(const Plan& plan, uint64_t seed, estampe::Scene& scene)
+{
+    // The walls' feet and the ground below the floor lie in the cells, the slabs of the roofs above them.
+    constexpr float foot_m = floor_m - 6.0F;
+    constexpr float wider_m = 0.1F; // the stones beside an opening are not quite flush
+    std::vector<estampe::Index> cell_of_room;
+    for (size_t i = 0; i < plan.rooms.size(); ++i) {
+        const Room& room = plan.rooms[i];
+        cell_of_room.push_back(room.is_roofed() ? static_cast<estampe::Index>(scene.cells.size())
+                                                : estampe::no_index);
+        if (room.is_roofed()) {
+            const glm::vec2 low = room.low_m();
+            const glm::vec2 high = room.high_m();
+            scene.cells.push_back({.name = "room " + std::to_string(i),
+                                   .low_m = {low.x, foot_m, low.y},
+                                   .high_m = {high.x, floor_m + room.height_m, high.y}});
+        }
+    }
+    const auto cell_of = [&](int room) {
+        return room == outside ? estampe::no_index : cell_of_room[static_cast<size_t>(room)];
+    };
+    const auto add = [&](estampe::Index from, estampe::Index to, const glm::vec3& corner,
+                         const glm::vec3& along, const glm::vec3& up) {
+        if (from != to) {
+            scene.portals.push_back({.corners_m = {corner, corner + along, corner + along + up, corner + up},
+                                     .from = from,
+                                     .to = to});
+        }
+    };
+    for (size_t i = 0; i < plan.walls.size(); ++i) {
+        const WallRun& wall = plan.walls[i];
+        const int room = std::max(wall.a, wall.b);
+        if (std::min(wall.a, wall.b) == outside && plan.rooms[static_cast<size_t>(room)].is_roofed()) {
+            const float roof_m = plan.rooms[static_cast<size_t>(room)].height_m;
+            Dice dice(seed, 1000 + i);
+            const Wall built = wall_of(plan, wall, dice);
+            if (const auto slit = slit_below(roof_m, built, lay(built, dice))) {
+                const glm::vec2 way = glm::normalize(wall.to_m - wall.from_m);
+                const glm::vec2 from = beginning_of(wall) + slit->first_m * way;
+                const float low_m = slit->lowest_m - wider_m;
+                const glm::vec2 along = (slit->last_m - slit->first_m) * way;
+                add(cell_of(room), estampe::no_index, {from.x, floor_m + low_m, from.y},
+                    {along.x, 0.0F, along.y}, {0.0F, roof_m - low_m, 0.0F});
+            }
+        }
+        if (wall.door) {
+            const Door& door = plan.doors[*wall.door];
+            const glm::vec3 along = wall.is_along_x ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
+            const float half_m = door.half_m + wider_m;
+            const float crown_m =
+                floor_m + door.springing_m + (door.is_arched ? door.half_m : 0.0F) + wider_m;
+            add(cell_of(door.a), cell_of(door.b),
+                glm::vec3(door.place_m.x, foot_m, door.place_m.y) - half_m * along, 2.0F * half_m * along,
+                {0.0F, crown_m - foot_m, 0.0F});
+        }
+    }
+    for (size_t i = 0; i < plan.rooms.size(); ++i) {
+        if (const auto shaft = shaft_of(plan, static_cast<int>(i))) {
+            const float half_m = shaft_half_m + wider_m;
+            add(cell_of_room[i], estampe::no_index,
+                {shaft->x - half_m, floor_m + plan.rooms[i].height_m, shaft->y - half_m},
+                {2.0F * half_m, 0.0F, 0.0F}, {0.0F, 0.0F, 2.0F * half_m});
+        }
+    }
 }
 
 namespace {

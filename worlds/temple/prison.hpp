@@ -31,6 +31,11 @@ struct Thing {
 
 inline constexpr float shaft_half_m = 0.9F;
 
+/// Divides a scene into the prison's rooms, for culling by cells and portals. Each room with a roof becomes a
+/// cell. Doors, the holes in roofs, and slits below the roofs where stones of the outer walls are missing,
+/// become portals. Rooms without a roof belong to outdoors. The seed must be that of build_prison().
+void add_cells(const Plan& plan, uint64_t seed, estampe::Scene& scene);
+
 /// Tells for each room whether any part of it may be visible from a place. The visibility test widens doors
 /// by 0.8 m on either side, so that objects appear in the scene before they come into sight. Rooms without a
 /// roof count as outdoors. From outside, rooms are visible through doors. From above the roofs, within 60 m,

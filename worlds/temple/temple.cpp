@@ -167,6 +167,7 @@ estampe::Scene build_temple(uint64_t seed)
         stage.light(lamp.light, lamp.place_m, {0.0, -1.0, 0.0});
     }
     estampe::Scene scene = std::move(stage.scene());
+    add_cells(plan, seed, scene);
     scene.terrain = std::move(desert);
     scene.extensions_used = {"KHR_lights_punctual"};
     return scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "features/cloth/cloth_solids.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace estampe::features {

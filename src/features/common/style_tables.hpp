@@ -14,6 +14,7 @@
 #include "style/schema.hpp"
 #include "style/wind.hpp"
 #include "techniques/bleed/bleed.hpp"
+#include "techniques/cells/culling_style.hpp"
 #include "techniques/cloth/cloth_style.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/focus/focus.hpp"
@@ -52,6 +53,7 @@ struct PictureStyle {
 struct StyleTables {
     DrawingStyle drawing;
     PictureStyle picture;
+    cells::CullingStyle culling;
     light::LightStyle light;
     light::SunStyle sun;
     shadow::ShadowStyle shadow;

@@ -15,6 +15,7 @@
 #include "core/text.hpp"
 #include "gpu/resources.hpp"
 #include "style/names.hpp"
+#include "style/toml.hpp"
 #include "techniques/light/light.glsl.h"
 
 namespace estampe::features {

@@ -23,6 +23,7 @@
 #include "shaders/corner_vert.hpp"
 #include "shaders/cull_list_comp.hpp"
 #include "shaders/cull_triangles_comp.hpp"
+#include "shaders/cull_triangles_seen_comp.hpp"
 #include "shaders/draw_behind_frag.hpp"
 #include "shaders/draw_depth_frag.hpp"
 #include "shaders/draw_depth_masked_frag.hpp"
@@ -262,10 +263,15 @@ Culled add_cull(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in
                 const View& view)
 {
     const uint32_t words = (batch.triangle_count + 31) / 32;
-    auto asking = graph.compute(name + "/cull", shaders::cull_triangles_comp);
+    const bool leaves_out = view.seen_clusters && !view.behind;
+    auto asking = graph.compute(name + "/cull", leaves_out ? shaders::cull_triangles_seen_comp
+                                                           : shaders::cull_triangles_comp);
     asking.sample(in.triangles).sample(in.posed_vertices);
     const gpu::BufferId kept =
         asking.write(graph.buffer(name + "/kept", {.size_bytes = uint64_t{words} * sizeof(uint32_t)}));
+    if (leaves_out) {
+        asking.read(*view.seen_clusters);
+    }
     asking.variant(view.cull_back_faces ? shared::cull_drops_backs : 0U);
     asking.push(constants_of(batch, view)).dispatch_items(words);
 

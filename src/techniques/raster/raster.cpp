@@ -9,6 +9,7 @@
 #include "gpu/transfers.hpp"
 #include "shaders/cluster_bounds_comp.hpp"
 #include "shaders/cull_clusters_comp.hpp"
+#include "shaders/cull_clusters_seen_comp.hpp"
 #include "shaders/depth_part_comp.hpp"
 #include "shaders/seen_tiles_comp.hpp"
 #include "techniques/raster/paths.hpp"
@@ -60,15 +61,22 @@ uint32_t cluster_count(const Batch& batch)
 std::optional<gpu::BufferId> add_seen_clusters(gpu::Graph& graph, const gpu::Name& name, const Batch& batch,
                                                const View& view, const shared::RasterConstants& constants)
 {
-    if (!view.cluster_bounds || view.behind || batch.masked ||
-        batch.triangle_count < view.tuning.clusters_from) {
+    // Smaller batches are drawn sooner than a list of their clusters is made.
+    constexpr uint32_t least_triangles = 8192;
+    const uint32_t listed_from =
+        view.seen_clusters ? std::min(view.tuning.clusters_from, least_triangles) : view.tuning.clusters_from;
+    if (!view.cluster_bounds || view.behind || batch.masked || batch.triangle_count < listed_from) {
         return std::nullopt;
     }
     const uint32_t clusters = cluster_count(batch);
     const gpu::BufferId none = gpu::add_empty_group_list(graph, name + "/no clusters", clusters);
-    auto pass = graph.compute(name + "/clusters", shaders::cull_clusters_comp);
+    auto pass = graph.compute(name + "/clusters", view.seen_clusters ? shaders::cull_clusters_seen_comp
+                                                                     : shaders::cull_clusters_comp);
     pass.read(*view.cluster_bounds);
     const gpu::BufferId list = pass.modify(none);
+    if (view.seen_clusters) {
+        pass.read(*view.seen_clusters);
+    }
     pass.push(constants).dispatch_items(clusters);
     return list;
 }

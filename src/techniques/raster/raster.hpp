@@ -87,6 +87,9 @@ struct View {
 
     std::optional<gpu::BufferId> cluster_bounds =
         std::nullopt; ///< boxes of all clusters, from add_cluster_bounds()
+    /// One bit for each cluster of the whole triangle list, in words of 32 bits. Triangles of a cluster whose
+    /// bit is 0 are not drawn, except in depth peeling and in masked batches.
+    std::optional<gpu::BufferId> seen_clusters = std::nullopt;
 
     /// Size of the picture that is drawn; half the view's size in depth peeling at half resolution.
     [[nodiscard]] glm::uvec2 drawn_px() const
@@ -169,8 +172,8 @@ private:
 };
 
 /// Adds a pass that lists the clusters of a batch that the page may show, one workgroup per cluster, in the
-/// format of shaders/tiles.glsl.h. Empty if `view` does not need the list (see Tuning::clusters_from), for
-/// depth peeling, and for masked batches.
+/// format of shaders/tiles.glsl.h. Empty if `view` does not need the list (see Tuning::clusters_from and
+/// View::seen_clusters), for depth peeling, and for masked batches.
 [[nodiscard]] std::optional<gpu::BufferId> add_seen_clusters(gpu::Graph& graph, const gpu::Name& name,
                                                              const Batch& batch, const View& view,
                                                              const shared::RasterConstants& constants);

@@ -92,6 +92,47 @@ TEST(RasterClusters, OfWhichTheBoxIsBesideThePageAreNotListed)
     EXPECT_EQ(words[2], 1U);
 }
 
+TEST(RasterClusters, WhoseBitIsNotSetAreNotDrawn)
+{
+    const auto soup = scattered_runs(10, 500);
+    const auto count = static_cast<uint32_t>(soup.size());
+    // Batches need not start or end at cluster boundaries.
+    const Batch batch{.first_triangle = 37, .triangle_count = count - 50};
+    std::vector<uint32_t> bits(500 / 32 + 1, 0U);
+    std::vector<ClipTriangle> remaining = soup;
+    Soup random(11);
+    for (uint32_t cluster = 0; cluster < 500; ++cluster) {
+        if (random.between(0.0F, 1.0F) < 0.5F) {
+            bits[cluster / 32] |= 1U << cluster % 32;
+            continue;
+        }
+        for (uint32_t i = 0; i < shared::cluster_triangles; ++i) {
+            // A triangle with all corners at one place covers no pixel.
+            ClipTriangle& triangle = remaining[cluster * shared::cluster_triangles + i];
+            triangle.corner[1] = triangle.corner[2] = triangle.corner[0];
+        }
+    }
+    constexpr glm::uvec2 size_px(160, 90);
+    for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
+        const Way way{.path = path};
+        SoupBuffers buffers = upload_soup(soup);
+        gpu::Buffer seen = gpu::upload_buffer(test::shared_device(), "seen", bits);
+        ClusterBoxes boxes;
+        gpu::Graph graph;
+        const RasterInputs in = buffers.inputs(graph);
+        const View view{.clip_from_anchor = plain_perspective,
+                        .size_px = size_px,
+                        .path = path,
+                        .cluster_bounds = boxes.add(graph, test::shared_device(), in, count),
+                        .seen_clusters = gpu::import_whole(graph, "seen", seen)};
+        auto page = test::run_and_read_as<uint64_t>(
+            graph, add_visibility(graph, "visibility", in, {&batch, 1}, view));
+        page.resize(size_t{size_px.x} * size_px.y);
+        EXPECT_TRUE(page == draw(remaining, size_px, way, batch)) << name_of(path);
+        EXPECT_FALSE(page == draw(soup, size_px, way, batch)) << name_of(path);
+    }
+}
+
 TEST(RasterClusters, KeepTheirBoxesUntilTheyAreForgotten)
 {
     const auto soup = scattered_runs(8, 3);

@@ -17,6 +17,15 @@ layout(scalar, binding = 0) readonly buffer Bounds
 #define TILE_LIST_BINDING 1
 #include "shaders/tile_list_fill.glsl"
 
+#ifdef SEEN_CLUSTERS
+#include "techniques/raster/clusters/seen_clusters.glsl"
+#else
+bool is_in_sight(uint cluster)
+{
+    return true;
+}
+#endif
+
 layout(push_constant, scalar) uniform Constants
 {
     RasterConstants constants;
@@ -33,7 +42,8 @@ void main()
     barrier();
     uint cluster = constants.first_triangle / cluster_triangles + item_index();
     uint last = (constants.first_triangle + constants.triangle_count - 1u) / cluster_triangles;
-    bool is_shown = cluster <= last && may_show(bounds[min(cluster, last)], constants.clip_from_anchor);
+    bool is_shown = cluster <= last && is_in_sight(cluster) &&
+                    may_show(bounds[min(cluster, last)], constants.clip_from_anchor);
     uint number = is_shown ? atomicAdd(listed, 1u) : 0u;
     barrier();
     if (gl_LocalInvocationIndex == 0u && listed > 0u) {

@@ -15,6 +15,15 @@ layout(scalar, binding = 2) writeonly buffer Kept
     uint kept[];
 };
 
+#ifdef SEEN_CLUSTERS
+#include "techniques/raster/clusters/seen_clusters.glsl"
+#else
+bool is_in_sight(uint cluster)
+{
+    return true;
+}
+#endif
+
 layout(constant_id = 0) const uint variant = 0u;
 
 // Upper limit of the distance by which a hardware rasteriser moves a corner when it snaps the corner.
@@ -75,7 +84,11 @@ void main()
     }
     uint bits = 0u;
     for (uint i = 0u; i < 32u; ++i) {
-        uvec4 corners = triangle_at(constants.first_triangle + min(first + i, constants.triangle_count - 1u));
+        uint triangle = constants.first_triangle + min(first + i, constants.triangle_count - 1u);
+        if (!is_in_sight(triangle / cluster_triangles)) {
+            continue;
+        }
+        uvec4 corners = triangle_at(triangle);
         bool is_kept = first + i < constants.triangle_count &&
                        may_be_seen(clip_of(corners.x), clip_of(corners.y), clip_of(corners.z), corners.w);
         bits |= is_kept ? 1u << i : 0u;

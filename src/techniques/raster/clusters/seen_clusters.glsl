@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_SEEN_CLUSTERS
+#define ESTAMPE_SEEN_CLUSTERS
+
+// The clusters that may be in sight, as found by culling by cells: one bit each. SEEN_CLUSTERS is the
+// buffer's binding.
+
+layout(scalar, binding = SEEN_CLUSTERS) readonly buffer Seen
+{
+    uint seen[];
+};
+
+bool is_in_sight(uint cluster)
+{
+    return (seen[cluster / 32u] >> (cluster % 32u) & 1u) != 0u;
+}
+
+#endif
