@@ -111,7 +111,8 @@ private:
         if (at.x >= 0 && at.y >= 0 && at.x < static_cast<int>(image_.width) &&
             at.y < static_cast<int>(image_.height)) {
             uint8_t* const pixel =
-                image_.rgba.data() + 4 * (size_t{image_.width} * static_cast<size_t>(at.y) + at.x);
+                image_.rgba.data() +
+                4 * (size_t{image_.width} * static_cast<size_t>(at.y) + static_cast<size_t>(at.x));
             std::copy_n(&color.x, 3, pixel);
         }
     }

@@ -94,6 +94,10 @@ std::vector<Case> cases()
     ball.velocity_m_per_s = {0.5F, 0.2F, 0.0F};
     fluid::Shape oar = fluid::box({0.7F, 0.6F, 0.5F}, {0.15F, 0.02F, 0.1F}, 0.4F);
     oar.spin_rad_s = 3.0F;
+    fluid::FluidStyle expanding =
+        style(fluid::Solver::automatic, fluid::Stepping::reflect, Advection::automatic);
+    expanding.matter.expands_above = 1.0F;
+    expanding.matter.expansion_per_s = 10.0F;
     return {{"automatic, reflected: the default",
              style(fluid::Solver::automatic, fluid::Stepping::reflect, Advection::automatic),
              {}},
@@ -106,6 +110,7 @@ std::vector<Case> cases()
             {"the default with two moving obstacles",
              style(fluid::Solver::automatic, fluid::Stepping::reflect, Advection::automatic),
              {ball, oar}},
+            {"the default, where hot fluid may expand", expanding, {}},
             {"the default by multigrid, without obstacles",
              style(fluid::Solver::multigrid, fluid::Stepping::reflect, Advection::automatic),
              {}},

@@ -85,7 +85,8 @@ struct ToonShade {
     glm::vec3 outline_color{0.0F}; ///< Colour of the outline, linear
 };
 
-/// Light that passes through an object: KHR_materials_transmission and KHR_materials_volume.
+/// Light that passes through an object: KHR_materials_transmission, KHR_materials_volume and
+/// KHR_materials_ior.
 struct Transmission {
     float share = 0.0F;       ///< Share of the light behind the object that passes, 0 to 1
     float thickness_m = 0.0F; ///< Thickness where the object has no back side
@@ -94,6 +95,9 @@ struct Transmission {
     float attenuation_m = 0.0F;
     /// Colour that white light has after the distance `attenuation_m` in the object, linear.
     glm::vec3 attenuation_color{1.0F};
+    /// Index of refraction of the object's inside; at 1, light passes straight. A file without a thickness
+    /// describes a sheet without volume, which does not refract.
+    float ior = 1.0F;
 };
 
 /// A surface material as in glTF 2.0: factors are multiplied by the texture values.

@@ -14,7 +14,8 @@ void declare_frame(const FrameContext& context)
     const gpu::BufferId visibility = add_visibility(context, scene);
     const surface::Surface surface = add_surface(context, scene, visibility);
     add_motion(context, scene, visibility);
-    const SeenThrough screen = add_transparency(context, scene, visibility);
+    SeenThrough screen = add_transparency(context, scene, visibility);
+    screen.bent = add_refraction(context, scene, surface, screen);
 
     // Steps that light the surfaces.
     const light::ShadowMaps maps = add_shadow_maps(context, scene);
@@ -43,7 +44,7 @@ void declare_frame(const FrameContext& context)
     }
     const gpu::ImageId strokes = hatch::add_hatch(
         context.graph, hatching, context.features.hatching.variants(context.graph, plan.variants.styles));
-    const gpu::ImageId lines = add_lines(context, outlining);
+    const gpu::ImageId lines = add_bent_lines(context, outlining, screen, add_lines(context, outlining));
     const gpu::ImageId ink = bleed::add_bleed(context.graph,
                                               {.hatch = strokes,
                                                .lines = lines,

@@ -97,6 +97,41 @@ TEST(GlassLines, WhatStandsBehindClearGlassHasItsLines)
     }
 }
 
+TEST(GlassLines, AreBentWithWhatIsSeenThroughABall)
+{
+    Scene scene = test::scene_of(shapes::sphere(1.0F, 96, 48));
+    Material& glass = scene.materials.front();
+    glass.metallic = 0.0F;
+    glass.roughness = 0.0F;
+    glass.transmission = Transmission{.share = 1.0F, .thickness_m = 1.0F, .ior = 1.5F};
+    test::add_object(scene, shapes::box({0.2F, 6.0F, 0.2F}), glm::vec3(1.0F), {0.35, -3.0, -3.0});
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    // Dark pixels inside the ball, on the side of the post and on the other side.
+    const auto ink = [&](const char* refraction) {
+        Style style = lines_alone();
+        style.set(refraction);
+        const Image image = renderer.render(glass_camera, style, glass_page);
+        GlassInk found;
+        for (uint32_t y = 50; y < 70; ++y) {
+            for (uint32_t x = 100; x < 140; ++x) {
+                const bool is_dark = image.rgba[4 * (size_t{y} * glass_page.width + x)] < 200;
+                found.left += is_dark && x < 116 ? 1 : 0;
+                found.right += is_dark && x > 120 ? 1 : 0;
+            }
+        }
+        return found;
+    };
+    const GlassInk straight = ink("subsurface.refraction=none");
+    EXPECT_GT(straight.right, 15);
+    EXPECT_EQ(straight.left, 0);
+    const GlassInk bent = ink("subsurface.refraction=thick");
+    EXPECT_GT(bent.left, 10) << "a ball shows left on the right";
+    EXPECT_EQ(bent.right, 0);
+    EXPECT_NE(renderer.graph_dot().find("subsurface/bent lines"), std::string::npos);
+}
+
 TEST(GlassLines, StrokesAsPathsGoOnBehindGlass)
 {
     const auto length_mm = [](const Pane& pane) {

@@ -191,6 +191,7 @@ std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout,
     for (const features::StyleTables& style : variants.styles) {
         plan.parameters.push_back(subsurface::parameters_of(style.subsurface));
         plan.scatters |= subsurface::scatters(style.subsurface);
+        plan.refracts |= subsurface::refracts(style.subsurface);
     }
     plan.bodies = runs_of(layout, variants, subsurface::shines);
     plan.clear = runs_of(layout, variants, subsurface::is_clear);

@@ -87,6 +87,7 @@ struct SubsurfacePlan {
     /// Runs of all solid triangles that hide lines; filled if only some clear bodies (such as glass) show the
     /// lines behind them.
     std::vector<raster::Batch> line_hiders;
+    bool refracts = false;   ///< some clear bodies bend what is seen through them
     bool lines_show = false; ///< all clear bodies (such as glass) show the lines behind them
     bool scatters = false;
 };

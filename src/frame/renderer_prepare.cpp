@@ -20,6 +20,7 @@
 #include "gpu/resources.hpp"
 #include "scene/scene_limits.hpp"
 #include "techniques/light/daylight.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 
 namespace estampe {
 
@@ -332,6 +333,14 @@ void Renderer::Impl::upload_pixel_sizes(const frame::FramePlan& plan, const feat
             lines.push_back(contour::variant_lines_of(style.contour, plan.page.pixels_per_mm));
         }
         gpu::upload_items(device, "variant lines", lines, features.lines.variants());
+        if (plan.subsurface && plan.subsurface->refracts) {
+            for (size_t i = 0; i < lines.size(); ++i) {
+                if (subsurface::is_clear(plan.variants.styles[i].subsurface)) {
+                    std::ranges::fill(lines[i].width_of_kind, 0.0F);
+                }
+            }
+            gpu::upload_items(device, "lines without clear bodies", lines, features.lines.variants_behind());
+        }
     }
 }
 

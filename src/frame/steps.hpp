@@ -44,6 +44,10 @@ struct SeenThrough {
     std::optional<gpu::BufferId> background = {};
     /// Visibility buffer of the solid surfaces that hide lines.
     std::optional<gpu::BufferId> line_hiders = {};
+    /// Visibility buffers of the clear bodies alone, the nearest surface first; empty without clear bodies.
+    std::vector<gpu::BufferId> inside = {};
+    /// Places of the background that are seen through clear bodies, if these bend what is seen.
+    std::optional<gpu::ImageId> bent = {};
 };
 
 /// The colour layers of a frame, over which ink is drawn.
@@ -66,8 +70,10 @@ struct MovingLayers {
 /// device.
 [[nodiscard]] PosedScene add_posed_scene(const FrameContext& context);
 
-/// Returns the runs of triangles that hide what lies behind them.
-[[nodiscard]] InlineVector<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground);
+/// Returns the runs of triangles that hide what lies behind them, with the parts of transparent surfaces that
+/// `style` draws as solid.
+[[nodiscard]] InlineVector<raster::Batch, 4> solid_batches(const pose::MeshData& layout, bool with_ground,
+                                                           const transparency::TransparencyStyle& style = {});
 
 /// Returns the camera's view, for rasterisation.
 [[nodiscard]] raster::View eye_view(const FrameContext& context);
@@ -99,6 +105,18 @@ void add_motion(const FrameContext& context, const PosedScene& scene, gpu::Buffe
 /// Draws transparent surfaces, and the surfaces behind clear bodies such as glass.
 [[nodiscard]] SeenThrough add_transparency(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility);
+
+/// Whether clear bodies bend what is seen through them. Paths of strokes pass straight behind clear bodies.
+[[nodiscard]] inline bool bends_light(const FrameContext& context)
+{
+    return context.plan.subsurface && context.plan.subsurface->refracts && context.job.lists == nullptr;
+}
+
+/// Finds which places of the background are seen through clear bodies that bend light. Returns none if the
+/// style has no refraction, or if the picture consists of paths.
+[[nodiscard]] std::optional<gpu::ImageId> add_refraction(const FrameContext& context, const PosedScene& scene,
+                                                         const surface::Surface& surface,
+                                                         const SeenThrough& screen);
 
 /// Adds the shadow maps of sun, lamps and spotlights. Maps are kept between frames, and drawn only if they
 /// are out of date.
@@ -158,6 +176,11 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 /// Draws lines where surfaces end, meet or fold. Lines are either chains of linked mesh edges, or they are
 /// found between pixels. Edges that come from a cut-out texture are always found between pixels.
 [[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
+
+/// Adds to `lines` the chains behind clear bodies that bend light. These chains are drawn without the clear
+/// bodies, and read at the places that are seen through the bodies.
+[[nodiscard]] gpu::ImageId add_bent_lines(const FrameContext& context, const contour::ContourInputs& in,
+                                          const SeenThrough& screen, gpu::ImageId lines);
 
 /// Draws wind-blown sand over the ink lines of the scene.
 [[nodiscard]] gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene,

@@ -3,6 +3,7 @@
 #include "frame/steps.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/contour/chains/chains.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -149,17 +150,39 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
                                                                    context.features.lines.variants()))
                                  : std::nullopt,
             .has_inks_by_kind = plan.variants.has_inks_by_kind(),
-            .line_hiders = screen.line_hiders};
+            .line_hiders = bends_light(context) ? std::nullopt : screen.line_hiders};
 }
 
 gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in)
 {
     const FramePlan& plan = context.plan;
+    const pose::MeshData& layout = context.loaded.layout;
+    const bool has_cuts =
+        layout.masked.count > 0 ||
+        (layout.blended.count > 0 && transparency::has_opaque_parts(context.style.transparency));
     return context.features.lines.record(context.graph, in,
                                          {.style = plan.variants.lines,
-                                          .has_cuts = context.loaded.layout.masked.count > 0,
+                                          .has_cuts = has_cuts,
                                           .remembers = plan.lines.are_remembered && context.sample.is_first,
                                           .linked = context.job.linked});
+}
+
+gpu::ImageId add_bent_lines(const FrameContext& context, const contour::ContourInputs& in,
+                            const SeenThrough& screen, gpu::ImageId lines)
+{
+    const FramePlan& plan = context.plan;
+    if (!screen.bent || !screen.line_hiders || !in.variant_lines || !plan.variants.lines.enabled) {
+        return lines;
+    }
+    contour::ContourInputs behind = in;
+    behind.line_hiders = screen.line_hiders;
+    behind.variant_lines = gpu::import_whole(context.graph, "lines without clear bodies",
+                                             context.features.lines.variants_behind());
+    const std::optional<gpu::ImageId> drawn =
+        context.features.lines.record_behind(context.graph, behind, plan.variants.lines);
+    return drawn ? subsurface::add_bent_lines(context.graph, *screen.bent, *drawn, lines,
+                                              context.sample.size_px)
+                 : lines;
 }
 
 gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface,

@@ -247,6 +247,15 @@ std::optional<occlusion::AmbientOcclusion> add_occlusion(const FrameContext& con
                                       .triangles = scene.meshes.triangles,
                                       .posed_vertices = scene.meshes.posed_vertices,
                                       .map = std::nullopt};
+    if (occlusion::needs_behind(style)) {
+        raster::View view = eye_view(context);
+        view.cull_back_faces = false;
+        view.behind = visibility;
+        // The ground is an open sheet, which ends no body.
+        surfaces.behind = raster::add_visibility(
+            context.graph, "occlusion/behind", scene.meshes,
+            solid_batches(context.loaded.layout, false, context.style.transparency), view);
+    }
     if (context.plan.occlusion_texels) {
         features::SurfaceMap& map = context.loaded.surface_maps.at(*context.plan.occlusion_texels);
         surfaces.map = {.texels = gpu::import_whole(context.graph, "texels of surfaces", map.texels),

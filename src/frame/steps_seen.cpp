@@ -34,7 +34,7 @@ void add_backgrounds(const FrameContext& context, const PosedScene& scene, SeenT
     if (!plan || plan->clear.empty()) {
         return;
     }
-    const raster::View view = eye_view(context);
+    raster::View view = eye_view(context);
     screen.background =
         raster::add_visibility(context.graph, "subsurface/background", scene.meshes, plan->others, view);
     if (plan->lines_show) {
@@ -43,15 +43,24 @@ void add_backgrounds(const FrameContext& context, const PosedScene& scene, SeenT
         screen.line_hiders =
             raster::add_visibility(context.graph, "contour/hiders", scene.meshes, plan->line_hiders, view);
     }
+    view.cull_back_faces = false;
+    screen.inside = raster::add_layers(context.graph, "subsurface/inside", scene.meshes, plan->clear, view,
+                                       subsurface::inside_layers);
 }
 
 } // namespace
 
-InlineVector<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground)
+InlineVector<raster::Batch, 4> solid_batches(const pose::MeshData& layout, bool with_ground,
+                                             const transparency::TransparencyStyle& style)
 {
-    InlineVector<raster::Batch, 3> batches;
+    InlineVector<raster::Batch, 4> batches;
     batches.push_back(batch(layout.opaque));
     batches.push_back(batch(layout.masked, true));
+    if (transparency::has_opaque_parts(style) && layout.blended.count > 0) {
+        raster::Batch opaque_parts = batch(layout.blended, true);
+        opaque_parts.least_alpha = style.opaque_above;
+        batches.push_back(opaque_parts);
+    }
     if (with_ground) {
         batches.push_back(batch(layout.ground));
     }
@@ -123,8 +132,9 @@ gpu::BufferId add_visibility(const FrameContext& context, const PosedScene& scen
     raster::View view = eye_view(context);
     view.cluster_bounds = scene.cluster_bounds;
     view.seen_clusters = scene.seen_clusters;
-    return raster::add_visibility(context.graph, name, scene.meshes,
-                                  solid_batches(context.loaded.layout, context.plan.page.has_ground), view);
+    return raster::add_visibility(
+        context.graph, name, scene.meshes,
+        solid_batches(context.loaded.layout, context.plan.page.has_ground, context.style.transparency), view);
 }
 
 surface::Surface add_surface(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility)
@@ -235,7 +245,10 @@ SeenThrough add_transparency(const FrameContext& context, const PosedScene& scen
     const uint32_t most = style.mode == transparency::Mode::sorted ? transparency::most_sorted_layers
                                                                    : transparency::most_layers;
     const uint32_t wanted = std::min({layout.blended_sheets, static_cast<uint32_t>(style.layers), most});
-    const raster::Batch blended = batch(layout.blended, true);
+    raster::Batch blended = batch(layout.blended, true);
+    if (transparency::has_opaque_parts(style)) {
+        blended.alpha_below = style.opaque_above;
+    }
     const auto layers =
         raster::add_layers(context.graph, "screen", scene.meshes, {&blended, 1}, eye_view(context), wanted);
     transparency::TransparencyInputs inputs = transparency_inputs(context, scene, visibility, layers);
@@ -246,6 +259,20 @@ SeenThrough add_transparency(const FrameContext& context, const PosedScene& scen
     return with_backgrounds({.images = transparency::add_transparency(context.graph, inputs),
                              .layers = layers,
                              .is_there = true});
+}
+
+std::optional<gpu::ImageId> add_refraction(const FrameContext& context, const PosedScene& scene,
+                                           const surface::Surface& surface, const SeenThrough& screen)
+{
+    if (!bends_light(context) || !screen.background) {
+        return std::nullopt;
+    }
+    return subsurface::add_refraction(context.graph, {.common = subsurface_inputs(context, scene, surface),
+                                                      .inside = screen.inside,
+                                                      .background = *screen.background,
+                                                      .triangles = scene.meshes.triangles,
+                                                      .posed_vertices = scene.meshes.posed_vertices,
+                                                      .most_mm = context.style.subsurface.refraction_mm});
 }
 
 namespace {
@@ -266,24 +293,21 @@ gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, g
 
 gpu::ImageId add_behind(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                         const surface::Surface& surface, const light::ShadowMaps& maps,
-                        gpu::BufferId background, const Colors& colors)
+                        const SeenThrough& screen, const Colors& colors)
 {
-    gpu::Graph& graph = context.graph;
-    const SubsurfacePlan& plan = *context.plan.subsurface;
-    raster::View view = eye_view(context);
-    view.cull_back_faces = false;
+    const gpu::BufferId background = *screen.background;
     const subsurface::BehindInputs inputs{
         .common = subsurface_inputs(context, scene, surface),
         .visibility = visibility,
-        .inside = raster::add_layers(graph, "subsurface/inside", scene.meshes, plan.clear, view,
-                                     subsurface::inside_layers),
+        .inside = screen.inside,
         .background = background,
         .triangles = scene.meshes.triangles,
         .posed_vertices = scene.meshes.posed_vertices,
         .color = surface.color,
         .painted = add_painted(context, scene, background, maps,
-                               context.plan.page.shows_sky ? std::optional(colors.sky_wash) : std::nullopt)};
-    return subsurface::add_behind(graph, inputs, colors.wash);
+                               context.plan.page.shows_sky ? std::optional(colors.sky_wash) : std::nullopt),
+        .bent = screen.bent};
+    return subsurface::add_behind(context.graph, inputs, colors.wash);
 }
 
 } // namespace
@@ -293,7 +317,7 @@ Colors add_seen_through(const FrameContext& context, const PosedScene& scene, gp
                         const SeenThrough& screen, Colors colors)
 {
     if (screen.background) {
-        colors.wash = add_behind(context, scene, visibility, surface, maps, *screen.background, colors);
+        colors.wash = add_behind(context, scene, visibility, surface, maps, screen, colors);
     }
     if (!screen.is_there || context.style.transparency.mode != transparency::Mode::sorted) {
         return colors;

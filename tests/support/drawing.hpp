@@ -82,6 +82,9 @@ public:
     [[nodiscard]] std::vector<shared::PosedVertex> posed();
     /// 64-bit words: reversed depth in the high half, triangle in the low half.
     [[nodiscard]] std::vector<uint64_t> visibility();
+
+    void set_transparency(const transparency::TransparencyStyle& style) { style_.transparency = style; }
+
     /// Reversed depth, drawn without triangle numbers.
     [[nodiscard]] std::vector<float> depth_alone();
     /// Draws the views, or only the listed `tiles` of the views, into a buffer of `texel_count` words that

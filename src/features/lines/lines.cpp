@@ -461,6 +461,17 @@ gpu::ImageId Lines::record(gpu::Graph& graph, const contour::ContourInputs& in, 
                                                     job.style, of_pixels);
 }
 
+std::optional<gpu::ImageId> Lines::record_behind(gpu::Graph& graph, const contour::ContourInputs& in,
+                                                 const contour::ContourStyle& style)
+{
+    if (mesh_ == nullptr) {
+        return std::nullopt;
+    }
+    contour::ContourStyle seen = style;
+    seen.hidden.enabled = false;
+    return contour::add_chain_contours(graph, in, *mesh_, nullptr, seen, std::nullopt);
+}
+
 void Lines::record_linked(gpu::Graph& graph, gpu::Device& device, const contour::ContourInputs& in,
                           const contour::ContourStyle& style, contour::LinkedLines& linked)
 {

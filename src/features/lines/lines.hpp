@@ -141,6 +141,12 @@ public:
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, const contour::ContourInputs& in,
                                       const LineJob& job);
 
+    /// Draws the chains that `in.line_hiders` leaves visible a second time, without hidden lines and without
+    /// memory of the previous frame. Returns an image as record() does; none if lines are not drawn as chains
+    /// of mesh edges.
+    [[nodiscard]] std::optional<gpu::ImageId>
+    record_behind(gpu::Graph& graph, const contour::ContourInputs& in, const contour::ContourStyle& style);
+
     /// Links the lines of the whole page into `linked`, which must outlive the graph. Does nothing if lines
     /// are not drawn as chains of mesh edges.
     void record_linked(gpu::Graph& graph, gpu::Device& device, const contour::ContourInputs& in,
@@ -160,6 +166,9 @@ public:
     /// there are several variants.
     [[nodiscard]] gpu::Buffer& variants() { return variants_; }
 
+    /// Returns the buffer with the same records for record_behind(): lines of clear bodies have no width.
+    [[nodiscard]] gpu::Buffer& variants_behind() { return variants_behind_; }
+
     /// Returns the buffer with one FocusLine for each line that points at the centre of interest.
     [[nodiscard]] gpu::Buffer& focus_lines() { return focus_lines_; }
 
@@ -170,6 +179,7 @@ private:
     contour::BrushImages* brush_images_ = nullptr; ///< The brushes; the member `brushes_` owns them
     contour::LineHistory history_;
     gpu::Buffer variants_;
+    gpu::Buffer variants_behind_;
     gpu::Buffer focus_lines_;
 };
 

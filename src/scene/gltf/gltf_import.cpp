@@ -15,24 +15,16 @@ namespace {
 // Sources of the extension names: Khronos, "glTF 2.0 Extension Registry" (KHR, EXT and vendors), and the
 // registries of VRM and of the Open Metaverse Interoperability group (OMI).
 
-constexpr std::array<std::string_view, 18> understood = {
-    "EXT_mesh_gpu_instancing",
-    "EXT_mesh_primitive_edge_visibility",
-    "EXT_meshopt_compression",
-    "EXT_texture_webp",
-    "KHR_animation_pointer",
-    "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_transmission",
-    "KHR_materials_unlit",
-    "KHR_materials_variants",
-    "KHR_materials_volume",
-    "KHR_mesh_quantization",
-    "KHR_node_visibility",
-    "KHR_texture_transform",
-    "MOZ_lightmap",
+constexpr std::array<std::string_view, 19> understood = {
+    "EXT_mesh_gpu_instancing",    "EXT_mesh_primitive_edge_visibility",
+    "EXT_meshopt_compression",    "EXT_texture_webp",
+    "KHR_animation_pointer",      "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_materials_variants",     "KHR_materials_volume",
+    "KHR_mesh_quantization",      "KHR_node_visibility",
+    "KHR_texture_transform",      "MOZ_lightmap",
     "VRMC_materials_mtoon",
 };
 

@@ -112,6 +112,20 @@ TEST(GltfMaterial, transmission_and_volume)
         << "nothing is seen through it";
 }
 
+TEST(GltfMaterial, index_of_refraction)
+{
+    const auto ior_of = [](const std::string& more) {
+        return material_of(R"({"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}, )" +
+                           more + "}}")
+            .transmission->ior;
+    };
+    const std::string volume = R"("KHR_materials_volume": {"thicknessFactor": 1})";
+    EXPECT_EQ(ior_of(volume + R"(, "KHR_materials_ior": {"ior": 1.33})"), 1.33F);
+    EXPECT_EQ(ior_of(volume), 1.5F) << "the default of the extension";
+    EXPECT_EQ(ior_of(volume + R"(, "KHR_materials_ior": {"ior": 0})"), 1.0F) << "with a warning";
+    EXPECT_EQ(ior_of(R"("KHR_materials_ior": {"ior": 1.33})"), 1.0F) << "a sheet without volume";
+}
+
 TEST(GltfMaterial, mtoon)
 {
     TestFile file = textured_file(encode_png(two_pixels()));

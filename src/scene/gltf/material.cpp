@@ -175,6 +175,19 @@ ToonShade toon_shade(Data& data, TextureTable& textures, const Extension& mtoon,
     return toon;
 }
 
+/// Reads the index of refraction of a material with a volume.
+float ior_of(Data& data, const tinygltf::Material& source, const std::string& pointer)
+{
+    constexpr float default_ior = 1.5F; // of KHR_materials_ior
+    const auto refraction = extension(source.extensions, "KHR_materials_ior");
+    const float ior = refraction ? refraction->number("ior", default_ior) : default_ior;
+    if (ior < 1.0F) {
+        data.warn(pointer + "/extensions/KHR_materials_ior/ior",
+                  fmt::format("is {}, below 1; light passes straight", ior));
+    }
+    return std::max(ior, 1.0F);
+}
+
 /// Reads the transmission of a material. Returns nothing if the material is not transmissive.
 std::optional<Transmission> transmission_of(Data& data, const tinygltf::Material& source,
                                             const std::string& pointer)
@@ -199,6 +212,9 @@ std::optional<Transmission> transmission_of(Data& data, const tinygltf::Material
         seen.attenuation_color =
             glm::clamp(volume->vector<3>("attenuationColor", glm::vec3(1.0F)), 0.0F, 1.0F);
         warn_of_texture(*volume, "thicknessTexture", pointer + "/extensions/KHR_materials_volume");
+    }
+    if (seen.thickness_m > 0.0F) {
+        seen.ior = ior_of(data, source, pointer);
     }
     return seen.share > 0.0F ? std::optional(seen) : std::nullopt;
 }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "shaders/backs_comp.hpp"
+#include "shaders/horizon_backs_comp.hpp"
 #include "shaders/horizon_comp.hpp"
 #include "shaders/horizon_page_comp.hpp"
 #include "shaders/horizon_smooth_comp.hpp"
@@ -45,6 +47,11 @@ const style::Table<OcclusionStyle>& occlusion_table()
                     "Thickness that all objects are assumed to have, as a share of the radius of dark "
                     "corners. Less keeps the surroundings of thin objects light, more darkens them. Only "
                     "used when occlusion.method is horizon.")
+            .choice("thickness_from", &OcclusionStyle::thickness_from,
+                    {{"guess", ThicknessFrom::guess}, {"back_faces", ThicknessFrom::back_faces}},
+                    "How thick the objects that darken corners are. guess: as thick as "
+                    "occlusion.thickness says; back_faces: from front to back of each object, which is "
+                    "slower. Only used when occlusion.method is horizon.")
             .number("strength", &OcclusionStyle::strength, {0.0F, 8.0F}, "",
                     "Strength of ambient occlusion (darker corners). 0 has no effect, 1 is physically right, "
                     "more is darker.")
@@ -91,6 +98,12 @@ uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm)
 std::optional<uint32_t> map_texels(const OcclusionStyle& style)
 {
     return style.enabled && style.method == Method::uv ? std::optional(style.texels) : std::nullopt;
+}
+
+bool needs_behind(const OcclusionStyle& style)
+{
+    return style.enabled && style.method == Method::horizon &&
+           style.thickness_from == ThicknessFrom::back_faces;
 }
 
 struct Memory::Kept {
@@ -142,6 +155,23 @@ std::optional<AmbientOcclusion> add_occlusion(gpu::Graph& graph, Memory& memory,
     return style.method == Method::unsharp ? add_unsharp(graph, in, style) : add_horizon(graph, in, style);
 }
 
+namespace {
+
+/// Adds a pass that writes the depth at which the view ray leaves the visible body, or 0 for open sheets.
+gpu::ImageId add_backs(gpu::Graph& graph, const OcclusionInputs& in)
+{
+    auto pass = graph.compute("occlusion/backs", shaders::backs_comp);
+    pass.uniform(in.frame).sample(in.surfaces->visibility, gpu::Format::rg32ui);
+    pass.sample(*in.surfaces->behind, gpu::Format::rg32ui);
+    pass.sample(in.surfaces->triangles).sample(in.surfaces->posed_vertices);
+    const gpu::ImageId backs = pass.write(graph.image(
+        "occlusion/backs", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32f}));
+    pass.dispatch_over_page(in.size_px.x, in.size_px.y);
+    return backs;
+}
+
+} // namespace
+
 AmbientOcclusion add_horizon(gpu::Graph& graph, const OcclusionInputs& in, const OcclusionStyle& style)
 {
     const shared::HorizonConstants constants = constants_of(in, style);
@@ -150,8 +180,13 @@ AmbientOcclusion add_horizon(gpu::Graph& graph, const OcclusionInputs& in, const
             name,
             {.width = constants.half_px.x, .height = constants.half_px.y, .format = gpu::Format::rg32ui});
     };
-    auto looking = graph.compute("occlusion", shaders::horizon_comp);
+    const bool has_backs = in.surfaces && in.surfaces->behind;
+    const std::optional<gpu::ImageId> backs = has_backs ? std::optional(add_backs(graph, in)) : std::nullopt;
+    auto looking = graph.compute("occlusion", backs ? shaders::horizon_backs_comp : shaders::horizon_comp);
     looking.uniform(in.frame).sample(in.depth).sample(in.normal);
+    if (backs) {
+        looking.sample(*backs);
+    }
     gpu::ImageId open = looking.write(half_image("occlusion/half"));
     looking.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
     for (const uint32_t is_upright : {0U, 1U}) {

@@ -24,6 +24,10 @@ enum class Method : uint8_t { horizon, discs, splats, uv, unsharp };
 /// occlusion.
 enum class Feeds : uint8_t { ambient, tone, layer };
 
+/// How the method horizon knows how far an occluder reaches behind its visible front: by an assumed
+/// thickness, or by the depth of the back faces behind the front.
+enum class ThicknessFrom : uint8_t { guess, back_faces };
+
 struct OcclusionStyle {
     bool enabled = false;
     Method method = Method::horizon;
@@ -31,6 +35,7 @@ struct OcclusionStyle {
     float radius_m = 0.0F;
     float reach_mm = 25.0F;
     float thickness = 0.5F;
+    ThicknessFrom thickness_from = ThicknessFrom::guess;
     float strength = 1.0F;
     float bleeding = 0.0F;
     uint32_t texels = 512;
@@ -51,6 +56,9 @@ struct PosedSurfaces {
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
     std::optional<SurfaceMap> map; ///< map with map_texels() per side; empty if the style's method needs none
+    /// Visibility buffer of the next surfaces of either facing behind the visible ones, from depth peeling;
+    /// set if needs_behind().
+    std::optional<gpu::BufferId> behind = std::nullopt;
 };
 
 struct OcclusionInputs {
@@ -79,6 +87,9 @@ struct AmbientOcclusion {
 
 /// Texels per side of the occlusion map; empty if the style's method needs no map.
 [[nodiscard]] std::optional<uint32_t> map_texels(const OcclusionStyle& style);
+
+/// Whether the style's method reads the surfaces behind the visible ones, PosedSurfaces::behind.
+[[nodiscard]] bool needs_behind(const OcclusionStyle& style);
 
 /// The surfaces in the rest pose that occlude, for methods that use all surfaces.
 struct OccluderMesh {
@@ -128,13 +139,18 @@ private:
 add_occlusion(gpu::Graph& graph, Memory& memory, const OcclusionInputs& in, const OcclusionStyle& style);
 
 /// Adds passes that compute ambient occlusion from the visible surfaces around each pixel, which is the
-/// default method.
+/// default method. If `in.surfaces->behind` is set, an occluder ends at its back face, and the part of a body
+/// within the radius also occludes if the body's front is farther away. Open sheets, which have no back face,
+/// keep the style's assumed thickness.
 ///
 /// Cost    four dispatches. The first three run over every second pixel in x and y: one reads 20 depths per
-///         pixel, two read 4 neighbours. The last runs over every pixel and reads 4 samples.
+///         pixel, two read 4 neighbours. The last runs over every pixel and reads 4 samples. With back faces
+///         one more dispatch over every pixel, which reads two triangles, and 20 more depths per pixel; the
+///         caller adds a layer of depth peeling
 /// Source  Therrien, Levesque and Gilet, "Screen Space Indirect Lighting with Visibility Bitmask", 2023;
 ///         slices and their weights after Jimenez et al., "Practical Real-Time Strategies for Accurate
-///         Indirect Occlusion", 2016
+///         Indirect Occlusion", 2016; back faces after Zanuttini, "Recherches en rendu non réaliste temps
+///         réel", Université Paris 8, 2008, section 8.4
 [[nodiscard]] AmbientOcclusion add_horizon(gpu::Graph& graph, const OcclusionInputs& in,
                                            const OcclusionStyle& style);
 

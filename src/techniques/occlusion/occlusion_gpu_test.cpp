@@ -64,7 +64,10 @@ TEST_F(OcclusionInPictures, OcclusionCostsNothingWhenOff)
 {
     const Image plain = draw({});
     EXPECT_FALSE(test::has_pass("occlusion"));
-    EXPECT_EQ(draw({"occlusion.strength=3", "occlusion.radius_m=2"}).rgba, plain.rgba);
+    EXPECT_EQ(
+        draw({"occlusion.strength=3", "occlusion.radius_m=2", "occlusion.thickness_from=back_faces"}).rgba,
+        plain.rgba);
+    EXPECT_FALSE(test::has_pass("occlusion"));
     for (const char* method : {"horizon", "discs", "splats", "uv", "unsharp"}) {
         // An occlusion that only feeds layers is skipped if no layer is read.
         EXPECT_EQ(draw({"occlusion.enabled=true", "occlusion.feeds=layer",
@@ -155,11 +158,26 @@ TEST_F(OcclusionInPictures, DiscsThrowTheirColorOnWhatIsBeside)
     }
 }
 
+TEST_F(OcclusionInPictures, BackFacesAreDrawnOnlyForTheMethodThatReadsThem)
+{
+    const char* const backs = "occlusion.thickness_from=back_faces";
+    const Image guessed = draw({"occlusion.enabled=true"});
+    EXPECT_FALSE(test::has_pass("occlusion/behind"));
+    EXPECT_NE(draw({"occlusion.enabled=true", backs}).rgba, guessed.rgba);
+    EXPECT_TRUE(test::has_pass("occlusion/behind"));
+    EXPECT_TRUE(test::has_pass("occlusion/backs"));
+    (void)draw({"occlusion.enabled=true", backs, "occlusion.method=discs"});
+    EXPECT_FALSE(test::has_pass("occlusion/behind"));
+}
+
 TEST_F(OcclusionInPictures, OcclusionHasNoSeamsBetweenTiles)
 {
-    const Style style = with({"occlusion.enabled=true", "occlusion.feeds=tone", "occlusion.radius_m=2",
-                              "occlusion.reach_mm=18", "hatch.enabled=false"});
-    EXPECT_LE(test::most_between_tiles(camera, style, 130), 2);
+    for (const char* const thickness : {"guess", "back_faces"}) {
+        const Style style = with({"occlusion.enabled=true", "occlusion.feeds=tone", "occlusion.radius_m=2",
+                                  "occlusion.reach_mm=18", "hatch.enabled=false",
+                                  fmt::format("occlusion.thickness_from={}", thickness)});
+        EXPECT_LE(test::most_between_tiles(camera, style, 130), 2) << thickness;
+    }
 }
 
 } // namespace

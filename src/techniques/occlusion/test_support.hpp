@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "features/common/view.hpp"
+#include "frame/steps.hpp"
 #include "gpu/resources.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "techniques/occlusion/occlusion.hpp"
+#include "techniques/raster/raster.hpp"
 
 namespace estampe::occlusion {
 
@@ -42,16 +44,40 @@ struct SeenPage {
         globals.tile_from_px = drawn.from_px;
         auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
         gpu::Graph graph;
+        std::optional<PosedSurfaces> surfaces;
+        if (needs_behind(style)) {
+            surfaces = posed_surfaces(graph);
+        }
         const AmbientOcclusion page = add_horizon(graph,
                                                   {.frame = gpu::import_whole(graph, "frame", frame),
                                                    .depth = depth.in(graph),
                                                    .normal = normal.in(graph),
+                                                   .surfaces = surfaces,
                                                    .radius_m = radius_m,
                                                    .pixels_per_mm = 1.0F,
                                                    .size_px = drawn.size_px,
                                                    .from_px = drawn.from_px},
                                                   style);
         return test::run_and_read_coverage(graph, page.visibility);
+    }
+
+    /// The surfaces of the whole page, with the surfaces behind them.
+    [[nodiscard]] PosedSurfaces posed_surfaces(gpu::Graph& graph) const
+    {
+        const raster::RasterInputs meshes = drawing.raster_inputs(graph);
+        const auto batches = frame::solid_batches(drawing.layout, drawing.with_ground);
+        raster::View view{.clip_from_anchor = drawing.globals.clip_from_anchor,
+                          .size_px = size_px,
+                          .path = drawing.path,
+                          .tuning = drawing.tuning};
+        const gpu::BufferId visibility = raster::add_visibility(graph, "visibility", meshes, batches, view);
+        view.cull_back_faces = false;
+        view.behind = visibility;
+        return {.visibility = visibility,
+                .triangles = meshes.triangles,
+                .posed_vertices = meshes.posed_vertices,
+                .map = std::nullopt,
+                .behind = raster::add_visibility(graph, "behind", meshes, batches, view)};
     }
 
     [[nodiscard]] glm::dvec3 point(size_t pixel) const

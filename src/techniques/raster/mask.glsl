@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Alpha masks: tests whether the texture keeps a pixel of a triangle. MASK_BINDING is the first of eight
-// bindings; CLIP_FROM_ANCHOR and PICTURE_PX name the view.
+// bindings; CLIP_FROM_ANCHOR and PICTURE_PX name the view. LEAST_ALPHA and ALPHA_BELOW, if they are defined,
+// limit the alpha of the texels.
 
 #include "shaders/scene.glsl.h"
 #include "shaders/barycentric.glsl"
@@ -50,5 +51,9 @@ bool passes_mask(uint triangle, ivec2 pixel)
         mat3x2 uv = mat3x2(u0, u1, u2);
         alpha *= sample_texture(slot, UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy)).a;
     }
+#ifdef LEAST_ALPHA
+    return alpha >= max(alpha_cutoff_of(draw.material), LEAST_ALPHA) && alpha < ALPHA_BELOW;
+#else
     return alpha >= alpha_cutoff_of(draw.material);
+#endif
 }

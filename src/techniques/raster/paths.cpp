@@ -139,7 +139,9 @@ gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterIn
                                             .tile_capacity = tile_capacity,
                                             .cull_back_faces = view.cull_back_faces ? 1U : 0U,
                                             .small_area_px = view.tuning.small_area_px,
-                                            .second = second_bits(view)};
+                                            .second = second_bits(view),
+                                            .least_alpha = batch.least_alpha,
+                                            .alpha_below = batch.alpha_below};
     const auto clusters = depth_only ? std::nullopt : add_seen_clusters(graph, name, batch, view, constants);
     const Stages shaders = stages(depth_only, batch.masked, view.behind.has_value());
     const gpu::Shader& small = clusters ? shaders::small_ids_listed_comp : shaders.small;
@@ -250,7 +252,9 @@ shared::DrawConstants constants_of(const Batch& batch, const View& view)
             .first_triangle = batch.first_triangle,
             .triangle_count = batch.triangle_count,
             .peeled_width_px = view.size_px.x,
-            .second = second_bits(view)};
+            .second = second_bits(view),
+            .least_alpha = batch.least_alpha,
+            .alpha_below = batch.alpha_below};
 }
 
 /// The triangles of a batch that remain after culling, because they may be visible.

@@ -32,6 +32,8 @@ struct RasterConstants {
     uint cull_back_faces;
     uint small_area_px; // most pixels in the bounding box of a triangle that one thread draws
     uint second;        // pixels to draw in depth peeling at half resolution, see draws_second
+    float least_alpha;  // texels of masked batches are drawn from this alpha on, if the mask keeps them
+    float alpha_below;  // texels of masked batches are drawn below this alpha
 };
 
 // One of many square depth maps that are drawn together.
@@ -109,12 +111,14 @@ struct DrawConstants {
     uint triangle_count;
     uint peeled_width_px; // width of the visibility buffer of the previous layer (depth peeling)
     uint second;          // pixels to draw in depth peeling at half resolution, see draws_second
+    float least_alpha;    // texels of masked batches are drawn from this alpha on, if the mask keeps them
+    float alpha_below;    // texels of masked batches are drawn below this alpha
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(DepthPartConstants) == 28);
-static_assert(sizeof(DrawConstants) == 88);
-static_assert(sizeof(RasterConstants) == 100);
+static_assert(sizeof(DrawConstants) == 96);
+static_assert(sizeof(RasterConstants) == 108);
 static_assert(sizeof(RasterView) == 108);
 static_assert(sizeof(ClusterBounds) == 24);
 static_assert(sizeof(ViewsConstants) == 40);

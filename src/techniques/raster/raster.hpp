@@ -43,12 +43,18 @@ struct RasterInputs {
 [[nodiscard]] RasterInputs unmasked_inputs(gpu::Graph& graph, gpu::BufferId triangles,
                                            gpu::BufferId posed_vertices);
 
+/// Limit for Batch::alpha_below that no alpha reaches.
+inline constexpr float no_alpha_limit = 1e30F;
+
 /// A range of consecutive triangles in the triangle list.
 struct Batch {
     uint32_t first_triangle = 0;
     uint32_t triangle_count = 0;
     bool masked = false;
-    bool plain = false;    ///< no triangles are two-sided or mirrored; speeds up the hardware path
+    bool plain = false; ///< no triangles are two-sided or mirrored; speeds up the hardware path
+    /// With alpha masks: the texels that are drawn have at least the material's cutoff and this alpha.
+    float least_alpha = 0.0F;
+    float alpha_below = no_alpha_limit; ///< with alpha masks: only texels of smaller alpha are drawn
     uint32_t groups = ~0U; ///< with many views: bits of object groups; views that share a bit show the batch
 };
 

@@ -78,8 +78,7 @@ const style::Table<SmokeStyle>& smoke_table()
                     "fire. Only used when smoke.fuel_per_s is above 0.")
             .number("explodes_above", &SmokeStyle::explodes_above, {0.0F, 100.0F}, "",
                     "Warmth above which air expands suddenly, as in an explosion; 0 never. Where smoke comes "
-                    "out, "
-                    "the air has a warmth of up to 2; smoke.blast_heat is in the same unit.")
+                    "out, the air has a warmth of up to 2; smoke.blast_heat is in the same unit.")
             .number("explosion_per_s", &SmokeStyle::explosion_per_s, {0.1F, 100.0F}, "1/s",
                     "How suddenly air that is too warm expands: more gives a shorter, harder blast. Only "
                     "used when smoke.explodes_above is above 0.")

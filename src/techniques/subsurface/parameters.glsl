@@ -32,6 +32,12 @@ vec4 scatter_of(uint style_variant)
     return texelFetch(parameter_texels, int(3u * style_variant + 1u));
 }
 
+// Index of refraction of a clear material; 1 if the view ray passes straight.
+float ior_of(uint style_variant)
+{
+    return texelFetch(parameter_texels, int(3u * style_variant + 2u)).w;
+}
+
 // Appearance of the background behind a clear material. x: visible share of the background; y: its blur; z:
 // tint by the surface's own colour.
 vec3 behind_of(uint style_variant)

@@ -7,8 +7,11 @@
 #include "gpu/transfers.hpp"
 #include "shaders/behind_halve_comp.hpp"
 #include "shaders/behind_inside_comp.hpp"
+#include "shaders/behind_lay_bent_comp.hpp"
 #include "shaders/behind_lay_comp.hpp"
+#include "shaders/bend_lines_comp.hpp"
 #include "shaders/exit_comp.hpp"
+#include "shaders/refract_comp.hpp"
 #include "shaders/scatter_blur_comp.hpp"
 #include "shaders/scatter_blur_tile_comp.hpp"
 #include "shaders/scatter_page_comp.hpp"
@@ -56,6 +59,20 @@ const style::Table<SubsurfaceStyle>& subsurface_table()
             .number("behind_blur", &SubsurfaceStyle::behind_blur, {0.0F, 8.0F}, "",
                     "How blurred things look when seen through a see-through object. 0 is clear glass, more "
                     "is frosted glass. A thicker object blurs more.")
+            .choice(
+                "refraction", &SubsurfaceStyle::refraction,
+                {{"none", Refraction::none}, {"thick", Refraction::thick}},
+                "How see-through objects deform what is behind them. none: not at all; thick: light bends "
+                "at the front and the back of the object, as in a lens or a glass ball. Lines behind the "
+                "object are bent, too.")
+            .number("ior", &SubsurfaceStyle::ior, {1.0F, 4.0F}, "",
+                    "Index of refraction: how strongly a see-through object bends light. 1 is air, 1.33 "
+                    "water, 1.5 glass, 2.4 diamond. Glass of a glTF file has its own index. Only used when "
+                    "subsurface.refraction is thick.")
+            .number(
+                "refraction_mm", &SubsurfaceStyle::refraction_mm, {0.1F, 200.0F}, "mm",
+                "Largest distance on the page by which see-through objects shift what is behind them. "
+                "More is right for large balls and lenses. Only used when subsurface.refraction is thick.")
             .toggle("transmission", &SubsurfaceStyle::transmission,
                     "If true, glass-like materials of a glTF file (transmission and volume) are see-through. "
                     "If false, they are opaque. A value of subsurface.behind in the style replaces what the "
@@ -69,7 +86,7 @@ const style::Table<SubsurfaceStyle>& subsurface_table()
             .integer("texels", &SubsurfaceStyle::texels, {64, 4096}, "texels",
                      "Width and height of the texture (image) in which the light under surfaces is computed. "
                      "More is finer and slower. Only used when subsurface.space is texture.")
-            .by_surface_but({"reach_mm", "space", "texels"});
+            .by_surface_but({"reach_mm", "space", "texels", "refraction", "refraction_mm"});
     return table;
 }
 
@@ -193,6 +210,7 @@ shared::SubsurfaceParameters parameters_of(const SubsurfaceStyle& style)
     parameters.behind = is_clear(style) ? style.behind : 0.0F;
     parameters.behind_blur = style.behind_blur;
     parameters.behind_tint = style.behind_tint;
+    parameters.ior = refracts(style) ? style.ior : 1.0F;
     if (scatters(style)) {
         parameters.scatter_m = style.scatter_m * style.scatter_color;
     }
@@ -212,6 +230,7 @@ SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material, fl
     style.behind = seen.share * (1.0F - material.metallic); // metals are opaque, so they show no background
     style.behind_blur = rough_blur * material.roughness * material.roughness;
     style.behind_tint = color_share;
+    style.ior = seen.ior;
     return style;
 }
 
@@ -232,14 +251,23 @@ bool is_clear(const SubsurfaceStyle& style)
 
 bool shows_lines(const SubsurfaceStyle& style)
 {
-    constexpr float least_behind = 0.5F;
-    return is_clear(style) && style.behind >= least_behind;
+    return is_clear(style) && style.behind >= shared::least_line_share;
+}
+
+bool refracts(const SubsurfaceStyle& style)
+{
+    return is_clear(style) && style.refraction == Refraction::thick && style.ior > 1.0F;
 }
 
 uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm)
 {
     const bool has_reach = (scatters(style) && style.space == Space::page) || is_clear(style);
-    return has_reach ? reach_of_levels(levels_within(style.reach_mm, pixels_per_mm)) : 0U;
+    const uint32_t spread = has_reach ? reach_of_levels(levels_within(style.reach_mm, pixels_per_mm)) : 0U;
+    if (style.refraction == Refraction::none) {
+        return spread;
+    }
+    return spread +
+           static_cast<uint32_t>(std::ceil(style.refraction_mm * pixels_per_mm + shared::bent_footprint_px));
 }
 
 FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
@@ -345,15 +373,45 @@ gpu::ImageId add_behind(gpu::Graph& graph, const BehindInputs& in, gpu::ImageId 
     inside.dispatch_over(common.size_px.x, common.size_px.y);
 
     const std::vector<gpu::ImageId> levels = add_halves(graph, in);
-    auto lay = graph.compute("subsurface/behind", shaders::behind_lay_comp);
+    auto lay = graph.compute("subsurface/behind",
+                             in.bent ? shaders::behind_lay_bent_comp : shaders::behind_lay_comp);
     lay.sample(clear).sample(share);
     for (const gpu::ImageId level : levels) {
         lay.sample(level, gpu::Sampling::linear);
+    }
+    if (in.bent) {
+        lay.sample(*in.bent);
     }
     const gpu::ImageId laid = lay.modify(wash);
     lay.push(common.reach_mm * common.pixels_per_mm / 3.0F);
     lay.dispatch_over(common.size_px.x, common.size_px.y);
     return laid;
+}
+
+gpu::ImageId add_refraction(gpu::Graph& graph, const RefractionInputs& in)
+{
+    const SubsurfaceInputs& common = in.common;
+    auto pass = graph.compute("subsurface/refract", shaders::refract_comp);
+    pass.uniform(common.frame).sample(common.draw).sample(common.normal);
+    pass.variant(bind_variants(pass, common));
+    pass.sample(in.triangles).sample(in.posed_vertices);
+    pass.sample(in.background, gpu::Format::rg32ui);
+    pass.sample(in.inside[0], gpu::Format::rg32ui).sample(in.inside[1], gpu::Format::rg32ui);
+    const gpu::ImageId seen = pass.write(
+        graph.image("subsurface/seen",
+                    {.width = common.size_px.x, .height = common.size_px.y, .format = gpu::Format::rgba32f}));
+    pass.push(in.most_mm * common.pixels_per_mm).dispatch_over(common.size_px.x, common.size_px.y);
+    return seen;
+}
+
+gpu::ImageId add_bent_lines(gpu::Graph& graph, gpu::ImageId bent, gpu::ImageId behind, gpu::ImageId lines,
+                            glm::uvec2 size_px)
+{
+    auto pass = graph.compute("subsurface/bent lines", shaders::bend_lines_comp);
+    pass.sample(bent).sample(behind, gpu::Sampling::linear);
+    const gpu::ImageId drawn = pass.modify(lines);
+    pass.dispatch_over(size_px.x, size_px.y);
+    return drawn;
 }
 
 namespace {

@@ -12,6 +12,10 @@ SHARED_CONSTANT uint most_scatter_levels = 7U;
 // Side in pixels of a square of the page, which one workgroup processes.
 SHARED_CONSTANT uint scatter_square_px = 16U;
 SHARED_CONSTANT uint most_texture_levels = 8U;
+// Most pixels of the background, in one direction, that one pixel of a body averages if the body bends light.
+SHARED_CONSTANT float bent_footprint_px = 8.0F;
+// Least share of the background that is visible through a body which shows the lines behind itself.
+SHARED_CONSTANT float least_line_share = 0.5F;
 SHARED_CONSTANT uint behind_levels = 6U; // number of background images: full size, half size, and so on
 
 // Subsurface parameters of a material: three texels of 16 bytes.
@@ -23,7 +27,7 @@ struct SubsurfaceParameters {
     float behind;        // share of the background that is visible through the body
     float behind_blur;   // standard deviation of the background's blur per metre of thickness
     float behind_tint;   // weight of the surface's own colour in the background's tint
-    float unused;
+    float ior;           // index of refraction of a clear body; 1: the view ray passes straight
 };
 
 // Constants of scattering passes. The half page has every second pixel in x and y, at even positions. The

@@ -237,6 +237,40 @@ TEST_F(SeenThroughGlass, IsLeftToTheStyle)
     EXPECT_TRUE(test::has_pass("subsurface/clear"));
 }
 
+TEST_F(SeenThroughGlass, IsBentOnlyIfTheStyleAsks)
+{
+    // A slab that is parallel to the page shifts nothing; a file without thickness describes a sheet.
+    Scene turned = glass_before_halves({.share = 1.0F, .thickness_m = 0.2F, .ior = 1.5F});
+    turned.nodes.front().transform.rotation = glm::angleAxis(0.7, glm::dvec3(0, 1, 0));
+    const LinearImage straight = draw(turned);
+    EXPECT_FALSE(test::has_pass("subsurface/refract"));
+    EXPECT_EQ(draw(turned, {"subsurface.ior=2", "subsurface.refraction_mm=9"}).pixels, straight.pixels);
+    EXPECT_FALSE(test::has_pass("subsurface/refract"));
+    const LinearImage bent = draw(turned, {"subsurface.refraction=thick"});
+    EXPECT_TRUE(test::has_pass("subsurface/refract"));
+    EXPECT_NE(bent.pixels, straight.pixels);
+    // The rays run to the left inside the slab, so the step of the wall behind is seen farther to the right.
+    EXPECT_GT(at(bent, 65).x, at(straight, 65).x + 0.2F);
+    Scene sheet = glass_before_halves({.share = 1.0F});
+    (void)draw(sheet, {"subsurface.refraction=thick"});
+    EXPECT_FALSE(test::has_pass("subsurface/refract"));
+}
+
+TEST_F(SeenThroughGlass, HasNoSeamsBetweenTilesWhereItIsBent)
+{
+    // A ball that shows places as far away as allowed.
+    Scene ball = glass_before_halves({.share = 1.0F, .thickness_m = 0.2F, .ior = 1.5F});
+    ball.meshes.front().primitives.front() = shapes::sphere(0.6F, 64, 32);
+    ball.meshes.front().primitives.front().material = 0;
+    ball.nodes.front().transform.translation = {0.0, 0.0, 0.0};
+    test::shared_renderer().set_scene(ball);
+    Camera parallel{.eye = {0.3, 0.2, 4.0}, .target = {0.0, 0.0, 0.0}};
+    parallel.orthographic_half_height_m = 0.8;
+    const Style style = with({"picture.ground=false", "subsurface.refraction=thick", "subsurface.reach_mm=2",
+                              "subsurface.refraction_mm=25"});
+    EXPECT_LE(test::most_between_tiles(parallel, style, 130), 2);
+}
+
 TEST_F(SeenThroughGlass, IsTintedByItsOwnColour)
 {
     const auto seen = [](float share, const std::vector<std::string>& more = {}) {

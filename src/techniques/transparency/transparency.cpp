@@ -93,7 +93,11 @@ const style::Table<TransparencyStyle>& transparency_table()
             .integer("layers", &TransparencyStyle::layers, {1, most_sorted_layers}, "",
                      "Largest number of see-through surfaces that are drawn over each other, the nearest "
                      "first. More shows more surfaces behind each other and takes more time. At most 4 are "
-                     "drawn when transparency.mode is ink.");
+                     "drawn when transparency.mode is ink.")
+            .number("opaque_above", &TransparencyStyle::opaque_above, {0.02F, 1.0F}, "",
+                    "Opacity from which parts of see-through surfaces are drawn as solid. Less gives more of "
+                    "hair, leaves and feathers their own light, strokes and lines; only the softer rest is "
+                    "see-through. 1 draws no part as solid.");
     return table;
 }
 

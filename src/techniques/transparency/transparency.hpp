@@ -26,7 +26,14 @@ enum class Mode : uint8_t { ink, sorted };
 struct TransparencyStyle {
     Mode mode = Mode::ink;
     int layers = most_layers;
+    float opaque_above = 1.0F;
 };
+
+/// Whether the style draws the parts of transparent surfaces that are nearly opaque as solid surfaces.
+[[nodiscard]] inline bool has_opaque_parts(const TransparencyStyle& style)
+{
+    return style.opaque_above < 1.0F;
+}
 
 [[nodiscard]] const style::Table<TransparencyStyle>& transparency_table();
 

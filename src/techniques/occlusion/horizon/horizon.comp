@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // One thread per pixel of the half page (every second pixel) estimates ambient visibility from the depths
 // around it. Along slices through the view ray, each step blocks the sectors of the hemisphere between the
-// front and the assumed back of the occluder. Each slice has four masks, for occluders within four radii, so
-// that farther occluders count less.
+// front and the back of the occluder. Each slice has four masks, for occluders within four radii, so that
+// farther occluders count less. The back lies at an assumed distance behind the front. With HAS_BACKS, the
+// back is read from a second depth image, and the assumed distance only serves open sheets.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,7 +24,12 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform usampler2D normal_image;
+#ifdef HAS_BACKS
+layout(binding = 3) uniform sampler2D back_image; // depth where the view ray leaves the body, or 0
+layout(binding = 4, rg32ui) writeonly uniform uimage2D out_open; // visibility and depth, as float bits
+#else
 layout(binding = 3, rg32ui) writeonly uniform uimage2D out_open; // visibility and depth, as float bits
+#endif
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -38,19 +44,17 @@ const uint pattern_order[16] = uint[](0u, 8u, 2u, 10u, 12u, 4u, 14u, 6u, 3u, 11u
 // Part of a slice (half plane through the view ray) that an occluder blocks, from its front to its back. The
 // part is given as positions over the hemisphere; 0 is the horizon on the opposite side. The function uses a
 // slice through the occluder's pixel centre, because pixel centres lie beside the step's line. So occluders
-// in the surface's plane lie exactly at the surface's horizon.
-vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float thickness_m)
+// in the surface's plane lie exactly at the surface's horizon. `way` leads to the occluder's front; `x` is
+// its length across the view ray, and `z_both` the positions of front and back along the view ray.
+vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float x, vec2 z_both)
 {
-    float z = dot(way, eye);
-    float x = sqrt(max(dot(way, way) - z * z, 1e-16));
-    float aside = (dot(way, normal) - z * up) / x;
+    float aside = (dot(way, normal) - dot(way, eye) * up) / x;
     float share = inversesqrt(up * up + aside * aside);
     float cos_n = up * share;
     float sin_n = aside * share;
     float n = atan(aside, up);
     float other = slice_light_whole(-n, cos_n, -sin_n);
     float here = slice_light_whole(n, cos_n, sin_n);
-    vec2 z_both = vec2(z, z - thickness_m);
     vec2 inverse = inversesqrt(x * x + z_both * z_both);
     vec2 cosine = z_both * inverse;
     vec2 sine = x * inverse;
@@ -126,7 +130,23 @@ void main()
                 seen + per_px_x * by.x + per_px_y * by.y + frame.anchor_from_clip[2] * (occluder - depth);
             vec3 way_there = counts ? at.xyz / at.w - point : normal;
             float distance_2 = dot(way_there, way_there);
-            vec2 places = hidden_by(way_there, normal, eye, up, constants.thickness * radius_m);
+            float z = dot(way_there, eye);
+            float x = sqrt(max(distance_2 - z * z, 1e-16));
+            vec2 z_both = vec2(z, z - constants.thickness * radius_m);
+#ifdef HAS_BACKS
+            float back = texelFetch(back_image, held, 0).x;
+            if (counts && back > 0.0) {
+                vec4 left_at =
+                    seen + per_px_x * by.x + per_px_y * by.y + frame.anchor_from_clip[2] * (back - depth);
+                z_both.y = dot(left_at.xyz / left_at.w - point, eye);
+                // The body blocks only with its part within the radius, also where its front is farther away.
+                float within_m = sqrt(max(radii_2.w - x * x, 0.0));
+                float nearest_m = clamp(0.0, z_both.y, z_both.x);
+                distance_2 = x * x + nearest_m * nearest_m;
+                z_both = clamp(z_both, -within_m, within_m);
+            }
+#endif
+            vec2 places = hidden_by(way_there, normal, eye, up, x, z_both);
             // A continuous surface ends, on average, half a step beyond its last sample.
             float before = side > 0.0 ? fronts.x : fronts.y;
             float front = places.x;

@@ -121,6 +121,76 @@ TEST(Occlusion, IsWhatRaysTell)
     EXPECT_LT(std::sqrt(squares / count), 0.045);
 }
 
+/// Thin bars in front of a wall, and two bodies that are deeper than the radius of occlusion.
+Scene bars_and_blocks()
+{
+    Scene scene = test::scene_of(shapes::plane(40.0F, 40.0F));
+    test::add_object(scene, shapes::box({40.0F, 8.0F, 1.0F}), glm::vec3(1.0F), {0.0, 0.0, -3.5});
+    for (const double x : {-2.4, -2.0, -1.6, -1.2, -0.8}) {
+        test::add_object(scene, shapes::box({0.1F, 2.0F, 0.1F}), glm::vec3(1.0F), {x, 0.0, -2.4});
+    }
+    test::add_object(scene, shapes::box({2.0F, 0.1F, 0.1F}), glm::vec3(1.0F), {-1.6, 1.0, -2.2});
+    test::add_object(scene, shapes::box({0.7F, 1.1F, 2.6F}), glm::vec3(1.0F), {0.6, 0.0, -1.4});
+    test::add_object(scene, shapes::box({0.7F, 0.5F, 2.6F}), glm::vec3(1.0F), {1.9, 0.0, -1.4});
+    return scene;
+}
+
+/// Root of the mean square difference between a page's visibility and traced rays.
+double error_of(const SeenPage& page, const std::vector<float>& open, const std::vector<Truth>& truths)
+{
+    double squares = 0.0;
+    int count = 0;
+    for (size_t i = 0; i < truths.size(); ++i) {
+        if (page.surface.depth[5 * i] > 0.0F) {
+            const double off = static_cast<double>(open[5 * i]) - truths[i].open;
+            squares += off * off;
+            ++count;
+        }
+    }
+    return std::sqrt(squares / count);
+}
+
+TEST(Occlusion, BackFacesTellHowThickThingsAre)
+{
+    const Scene scene = bars_and_blocks();
+    const test::EmbreeScene rays(scene);
+    const Camera camera{.eye = {0.4, 3.2, 6.0}, .target = {0.0, 0.6, -1.0}, .vertical_fov_rad = 0.65};
+    const SeenPage page(scene, camera, size_px);
+    constexpr float radius_m = 1.0F;
+    std::vector<Truth> truths;
+    for (size_t i = 0; i < page.surface.depth.size(); i += 5) {
+        truths.push_back(page.surface.depth[i] > 0.0F
+                             ? traced(page, rays, i, static_cast<double>(radius_m), 256)
+                             : Truth{});
+    }
+    OcclusionStyle style = far_reaching;
+    double best_guess = 1.0;
+    std::string guesses;
+    for (const float thickness : {0.1F, 0.2F, 0.35F, 0.5F, 1.0F, 2.0F}) {
+        style.thickness = thickness;
+        const double error = error_of(page, page.open(style, radius_m), truths);
+        best_guess = std::min(best_guess, error);
+        guesses += fmt::format(" {:.4f} at {}", error, thickness);
+    }
+    style.thickness = OcclusionStyle{}.thickness;
+    style.thickness_from = ThicknessFrom::back_faces;
+    const double with_backs = error_of(page, page.open(style, radius_m), truths);
+    RecordProperty("rmse", fmt::format("{:.4f}, by guesses{}", with_backs, guesses));
+    EXPECT_LT(with_backs, 0.05);
+    EXPECT_LT(with_backs, 0.85 * best_guess) << "no single thickness is right for bars and blocks";
+}
+
+TEST(Occlusion, BackFacesLeaveAPlaneExactlyOpen)
+{
+    OcclusionStyle style = far_reaching;
+    style.thickness_from = ThicknessFrom::back_faces;
+    const Camera camera{.eye = {1.0, 2.0, 6.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.9};
+    for (Primitive shape : {shapes::plane(400.0F, 400.0F), shapes::box({400.0F, 1.0F, 400.0F})}) {
+        const Scene scene = test::scene_of(std::move(shape));
+        EXPECT_EQ(std::ranges::min(SeenPage(scene, camera, size_px).open(style, 1.0F)), 1.0F);
+    }
+}
+
 TEST(Occlusion, IsInTilesWhatItIsOnTheWholePage)
 {
     const Camera camera{.eye = {1.2, 3.2, 6.0}, .target = {0.0, 0.5, -1.0}, .vertical_fov_rad = 0.65};

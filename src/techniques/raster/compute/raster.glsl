@@ -62,6 +62,8 @@ layout(push_constant, scalar) uniform Constants
 
 #define CLIP_FROM_ANCHOR constants.clip_from_anchor
 #define PICTURE_PX constants.size_px
+#define LEAST_ALPHA constants.least_alpha
+#define ALPHA_BELOW constants.alpha_below
 #endif
 
 // Encoding of views and tiles in the records LargeTriangle and TriangleTile.

@@ -13,3 +13,5 @@ layout(push_constant, scalar) uniform Constants
 
 #define CLIP_FROM_ANCHOR constants.clip_from_anchor
 #define PICTURE_PX constants.size_px
+#define LEAST_ALPHA constants.least_alpha
+#define ALPHA_BELOW constants.alpha_below
