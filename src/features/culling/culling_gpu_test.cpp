@@ -21,9 +21,9 @@ Scene two_rooms(bool has_wall)
         test::add_object(scene, shapes::box(size), glm::vec3(0.8F), place);
     };
     if (has_wall) {
-        wall({3.5F, 3.0F, 0.2F}, {-2.25, 1.5, 0.0});
-        wall({3.5F, 3.0F, 0.2F}, {2.25, 1.5, 0.0});
-        wall({1.0F, 1.0F, 0.2F}, {0.0, 2.5, 0.0});
+        wall({3.5F, 3.0F, 0.2F}, {-2.25, 0.0, 0.0});
+        wall({3.5F, 3.0F, 0.2F}, {2.25, 0.0, 0.0});
+        wall({1.0F, 1.0F, 0.2F}, {0.0, 2.0, 0.0});
     }
     for (const double z : {3.0, -3.0}) {
         test::add_object(scene, shapes::sphere(0.8F, 160, 80), {0.9F, 0.3F, 0.2F}, {1.2, 0.9, z});
