@@ -134,15 +134,9 @@ BakeCommand BakeOptions::read() const
         throw UsageError(fmt::format("cannot write a lightmap as {}", in_quotes(lower_extension(output_))),
                          "-o " + output_, "the name must end in .exr");
     }
-    if (settings_.size < least_size || settings_.size > most_size) {
-        throw UsageError(fmt::format("{} is out of range", settings_.size), "--size",
-                         fmt::format("allowed: {} to {}", least_size, most_size));
-    }
-    check_count("--samples", settings_.samples, most_samples);
-    if (settings_.bounces > most_bounces) {
-        throw UsageError(fmt::format("{} is out of range", settings_.bounces), "--bounces",
-                         fmt::format("allowed: 0 to {}", most_bounces));
-    }
+    check_range("--size", settings_.size, least_size, most_size);
+    check_range("--samples", settings_.samples, 1, most_samples);
+    check_range("--bounces", settings_.bounces, 0, most_bounces);
     if (!(settings_.sky >= 0.0F && settings_.sky <= most_sky)) {
         throw UsageError("is out of range", "--sky", fmt::format("allowed: 0 to {}", most_sky));
     }

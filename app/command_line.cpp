@@ -56,7 +56,7 @@ DrawOptions read_draw_options(const TypedOptions& typed)
     draw.animation = typed.animation;
     draw.load.variant = typed.variant;
     constexpr uint32_t most_samples = 4096;
-    check_count("--samples", typed.samples, most_samples);
+    check_range("--samples", typed.samples, 1, most_samples);
     draw.samples = typed.samples;
     check_device(typed.device);
     draw.device.device = typed.device;
@@ -240,7 +240,7 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
     }
     if (render) {
         constexpr uint32_t most_frames = 100000;
-        check_count("--repeat", typed.repeat, most_frames);
+        check_range("--repeat", typed.repeat, 1, most_frames);
         const std::optional<FilmChoice> film = typed.film.read(draw.output);
         const PictureChoice picture =
             film ? typed.picture.of_film()

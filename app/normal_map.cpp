@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "drawing.hpp"
 #include "messages.hpp"
+#include "option_values.hpp"
 
 namespace estampe::app {
 namespace {
@@ -171,16 +172,10 @@ Command NormalMapOptions::read() const
 
 NormalBakeCommand NormalMapOptions::read_baking() const
 {
-    const auto check = [](const char* option, uint32_t typed, uint32_t least, uint32_t most) {
-        if (typed < least || typed > most) {
-            throw UsageError(fmt::format("{} is out of range", typed), option,
-                             fmt::format("allowed: {} to {}", least, most));
-        }
-    };
-    check("--size", baking_.size, 16, 8192);
-    check("--samples", baking_.samples, 1, 8);
-    check("--border", baking_.border, 0, 64);
-    check("--uv", baking_.uv_set, 0, 1);
+    check_range("--size", baking_.size, 16, 8192);
+    check_range("--samples", baking_.samples, 1, 8);
+    check_range("--border", baking_.border, 0, 64);
+    check_range("--uv", baking_.uv_set, 0, 1);
     NormalBakeCommand command{.plain = source_, .detailed = from_, .output = output_, .settings = baking_};
     if (distance_->count() > 0) {
         if (!(distance_m_ > 0.0)) {

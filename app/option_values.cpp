@@ -152,11 +152,11 @@ void check_device(const std::string& text)
     }
 }
 
-void check_count(const char* option, uint32_t count, uint32_t most)
+void check_range(const char* option, uint32_t typed, uint32_t least, uint32_t most)
 {
-    if (count < 1 || count > most) {
-        throw UsageError(fmt::format("{} is out of range", count), option,
-                         fmt::format("allowed: 1 to {}", most));
+    if (typed < least || typed > most) {
+        throw UsageError(fmt::format("{} is out of range", typed), option,
+                         fmt::format("allowed: {} to {}", least, most));
     }
 }
 

@@ -40,8 +40,9 @@ inline constexpr uint32_t largest_side_px = 65535;
 /// Checks the value of --device. Throws UsageError unless `text` is "auto", "cpu" or an index.
 void check_device(const std::string& text);
 
-/// Checks a number that was typed. Throws UsageError naming `option` unless `count` is 1 to `most`.
-void check_count(const char* option, uint32_t count, uint32_t most);
+/// Checks a whole number that was typed. Throws UsageError, which names `option`, unless `typed` lies within
+/// `least` and `most`.
+void check_range(const char* option, uint32_t typed, uint32_t least, uint32_t most);
 
 /// Assignments that `--draft` adds to a style. The assignments turn off or coarsen effects that are slow and
 /// hardly visible.

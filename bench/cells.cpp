@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,11 +34,11 @@ struct Options {
     bench::Size size{.width = 1920, .height = 1080};
 };
 
-/// The temple with its clusters, and the bits of the clusters that remain.
+/// The temple, its meshes, and the bounding box of each cluster of triangles.
 struct Temple {
     Scene scene;
     pose::MeshData layout;
-    std::vector<std::optional<cells::Box>> boxes;
+    std::vector<std::optional<Bounds>> boxes;
 };
 
 uint32_t triangles_of(const std::vector<uint32_t>& bits)
@@ -192,11 +192,12 @@ void look_around(const Options& options)
     temple.boxes = features::still_boxes(temple.layout);
     const cells::CellsOfClusters in_cells(temple.scene.cells, temple.boxes);
     const cells::CellsOfClusters in_the_open({}, temple.boxes);
-    fmt::print("temple {}: {} rooms with a roof, {} portals, {} triangles in {} clusters\n"
-               "| viewpoint | rooms in sight | beams | triangles on the page | and in sight | CPU, ms |\n"
-               "|---|---|---|---|---|---|\n",
-               options.seed, temple.scene.cells.size(), temple.scene.portals.size(),
-               temple.layout.triangles.size(), temple.boxes.size());
+    fmt::print(
+        "temple {}: {} rooms with a roof, {} portals, {} triangles in {} clusters\n"
+        "| viewpoint | rooms in sight | beams | triangles on the page | triangles in sight | CPU, ms |\n"
+        "|---|---|---|---|---|---|\n",
+        options.seed, temple.scene.cells.size(), temple.scene.portals.size(), temple.layout.triangles.size(),
+        temple.boxes.size());
     const ScenePose pose = pose_scene(temple.scene, 0.0, no_index);
     bool is_drawn = options.picture.empty();
     for (const SceneCamera& named : temple.scene.cameras) {

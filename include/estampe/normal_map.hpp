@@ -94,8 +94,8 @@ struct BakedNormals {
     uint64_t covered_texels = 0; ///< Texels that triangles of the plain mesh cover
     /// Share of the covered texels where no ray hit the detailed mesh. The map is flat there.
     double missed_share = 0.0;
-    /// Share of the covered part of the map that several triangles cover. The map has the detail of the first
-    /// of these triangles.
+    /// Share of the covered part of the map that several triangles cover. Where triangles overlap, the map
+    /// has the detail of the first one.
     double overlapping_share = 0.0;
     uint64_t triangles = 0; ///< Triangles of the plain mesh
     /// Triangles of the plain mesh that have no UVs, or UVs without area. The map has no part for these

@@ -50,7 +50,8 @@ gpu::ImageId blurring_motion_of(const FrameContext& context, const PosedScene& s
     PosedScene drawn_out = scene;
     drawn_out.meshes.posed_vertices = shape->vertices;
     drawn_out.vertices_before = shape->before;
-    drawn_out.seen_clusters.reset(); // triangles that are drawn out may leave their room
+    drawn_out.cluster_bounds.reset(); // boxes of triangles that are not drawn out
+    drawn_out.seen_clusters.reset();  // triangles that are drawn out may leave their room
     features::MotionPlan moved = plan.motion;
     moved.pose_moved = true;
     const gpu::BufferId visibility = add_visibility(context, drawn_out, "motion blur/visibility");

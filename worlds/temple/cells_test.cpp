@@ -15,8 +15,6 @@
 namespace temple {
 namespace {
 
-using estampe::cells::Box;
-
 estampe::cells::Eye eye_at(const glm::dvec3& place, const glm::dvec3& ahead)
 {
     glm::dmat4 clip(0.0);
@@ -103,7 +101,7 @@ TEST(TempleCells, ShowAllStonesThatRaysHit)
             rooms += scene.cells.size();
             const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0.0, 1.0, 0.0)));
             const glm::dvec3 up = glm::cross(right, ahead);
-            std::vector<std::optional<Box>> hits;
+            std::vector<std::optional<estampe::Bounds>> hits;
             for (int ray = 0; ray < 400; ++ray) {
                 const glm::dvec3 direction =
                     glm::normalize(ahead + between(-1.0, 1.0) * right + between(-1.0, 1.0) * up);
@@ -111,7 +109,7 @@ TEST(TempleCells, ShowAllStonesThatRaysHit)
                 const auto hit =
                     first_front(stone, scene, eye + 0.1 / glm::dot(direction, ahead) * direction, direction);
                 if (hit) {
-                    hits.emplace_back(Box{*hit, *hit});
+                    hits.emplace_back(estampe::Bounds{*hit, *hit});
                 }
             }
             std::vector<uint32_t> bits;
@@ -119,7 +117,7 @@ TEST(TempleCells, ShowAllStonesThatRaysHit)
             for (size_t i = 0; i < hits.size(); ++i) {
                 ASSERT_TRUE(bits[i / 32] >> i % 32 & 1U)
                     << "seed " << seed << ", from " << eye.x << ", " << eye.y << ", " << eye.z << " at "
-                    << hits[i]->low_m.x << ", " << hits[i]->low_m.y << ", " << hits[i]->low_m.z;
+                    << hits[i]->min.x << ", " << hits[i]->min.y << ", " << hits[i]->min.z;
             }
         }
     }

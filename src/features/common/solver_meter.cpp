@@ -39,7 +39,8 @@ void SolverMeter::run(gpu::Graph& graph, const fluid::Fluid& fluid, const fluid:
             gpu::BufferId outflow =
                 fluid::add_divergence(graph, grid, velocity, fields.solids, "fluid/measure");
             if (fields.swelling) {
-                outflow = fluid::add_swelling_to_outflow(graph, grid, *fields.swelling, outflow);
+                outflow =
+                    fluid::add_swelling_to_outflow(graph, grid, *fields.swelling, outflow, "fluid/measure");
             }
             gpu::add_read_back(graph, "fluid/measured", outflow, host);
         };

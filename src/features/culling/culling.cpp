@@ -7,7 +7,7 @@
 
 namespace estampe::features {
 
-std::vector<std::optional<cells::Box>> still_boxes(const pose::MeshData& layout)
+std::vector<std::optional<Bounds>> still_boxes(const pose::MeshData& layout)
 {
     const size_t count = layout.triangles.size();
     std::vector<bool> is_still(count, false);
@@ -15,20 +15,21 @@ std::vector<std::optional<cells::Box>> still_boxes(const pose::MeshData& layout)
         const auto first = is_still.begin() + run.range.first;
         std::fill(first, first + run.range.count, !run.moves);
     }
-    std::vector<std::optional<cells::Box>> boxes;
+    std::vector<std::optional<Bounds>> boxes;
     for (size_t first = 0; first < count; first += shared::cluster_triangles) {
         const size_t end = std::min<size_t>(first + shared::cluster_triangles, count);
-        Bounds bounds;
+        const auto still_at = [&](size_t i) { return is_still.begin() + static_cast<std::ptrdiff_t>(i); };
+        if (std::find(still_at(first), still_at(end), false) != still_at(end)) {
+            boxes.emplace_back();
+            continue;
+        }
+        Bounds& bounds = boxes.emplace_back(Bounds()).value();
         for (size_t i = first; i < end; ++i) {
             for (int corner = 0; corner < 3; ++corner) {
                 const glm::dvec3 place(layout.stroke_coordinates[layout.triangles[i][corner]]);
                 bounds.extend(layout.rest_anchor + layout.stroke_unit_m * place);
             }
         }
-        const bool stays = std::find(is_still.begin() + static_cast<std::ptrdiff_t>(first),
-                                     is_still.begin() + static_cast<std::ptrdiff_t>(end),
-                                     false) == is_still.begin() + static_cast<std::ptrdiff_t>(end);
-        boxes.push_back(stays ? std::optional(cells::Box{bounds.min, bounds.max}) : std::nullopt);
     }
     return boxes;
 }

@@ -28,7 +28,7 @@ struct CullingInputs {
 
 /// Returns for each cluster of 64 triangles its box in world space. Clusters with a triangle that may move,
 /// or that casts no shadow, have no box. Cost: linear in triangles.
-[[nodiscard]] std::vector<std::optional<cells::Box>> still_boxes(const pose::MeshData& layout);
+[[nodiscard]] std::vector<std::optional<Bounds>> still_boxes(const pose::MeshData& layout);
 
 class Culling final : public Feature {
 public:

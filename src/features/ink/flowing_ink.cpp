@@ -477,23 +477,18 @@ ink::InkStyle blown_by(ink::InkStyle ink, const wind::WindStyle& wind, const Cam
 std::optional<ink::PageBlast> page_blast(const Blast& blast, const FlowingInkInputs& in,
                                          const shared::FrameGlobals& page)
 {
-    const glm::dvec4 clip =
-        glm::dmat4(page.clip_from_anchor) * glm::dvec4(blast.centre - in.layout.anchor, 1.0);
-    if (clip.w <= 1e-6) {
+    const auto middle_mm = page_place_mm(page, in.layout.anchor, blast.centre);
+    if (!middle_mm) {
         return std::nullopt;
     }
-    const auto pixels_per_mm = static_cast<double>(page.pixels_per_mm);
-    const PixelSize pixel = pixel_size(in.camera, in.settings.height);
     const double away_m =
         glm::dot(blast.centre - in.camera.eye, glm::normalize(in.camera.target - in.camera.eye));
-    const double mm_per_m =
-        1.0 / (static_cast<double>(pixel.at_one_m) * (pixel.is_parallel ? 1.0 : away_m) * pixels_per_mm);
-    const glm::dvec2 middle_px = (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(page.page_px);
-    return ink::PageBlast{.middle_mm = glm::vec2(middle_px / pixels_per_mm),
-                          .cubed_radius_mm3 = [blast, mm_per_m](double time_s) {
-                              return static_cast<float>(std::pow(mm_per_m, 3.0) *
-                                                        blast.cubed_radius_m3(time_s));
-                          }};
+    const double mm_per_m = 1.0 / (pixel_size(in.camera, in.settings.height).at(away_m) *
+                                   static_cast<double>(page.pixels_per_mm));
+    return ink::PageBlast{
+        .middle_mm = glm::vec2(*middle_mm), .cubed_radius_mm3 = [blast, mm_per_m](double time_s) {
+            return static_cast<float>(std::pow(mm_per_m, 3.0) * blast.cubed_radius_m3(time_s));
+        }};
 }
 
 } // namespace

@@ -13,18 +13,19 @@
 #include "techniques/ink/ink_style.hpp"
 
 namespace estampe::features {
-namespace {
 
-/// Returns a point's position on the page in millimetres; none for a point behind the eye.
-std::optional<glm::dvec2> page_place_mm(const ZoneView& view, const glm::dvec3& point)
+std::optional<glm::dvec2> page_place_mm(const shared::FrameGlobals& page, const glm::dvec3& anchor,
+                                        const glm::dvec3& point)
 {
-    const glm::dvec4 clip = glm::dmat4(view.page.clip_from_anchor) * glm::dvec4(point - view.anchor, 1.0);
+    const glm::dvec4 clip = glm::dmat4(page.clip_from_anchor) * glm::dvec4(point - anchor, 1.0);
     if (clip.w <= 1e-6) {
         return std::nullopt;
     }
     const glm::dvec2 share = 0.5 * glm::dvec2(clip) / clip.w + 0.5;
-    return share * glm::dvec2(view.page.page_px) / static_cast<double>(view.page.pixels_per_mm);
+    return share * glm::dvec2(page.page_px) / static_cast<double>(page.pixels_per_mm);
 }
+
+namespace {
 
 /// The triangles of a node's mesh on the page. Triangles that reach behind the eye are left out.
 std::vector<PageTriangle> page_triangles(const ZoneView& view, const Node& node,
@@ -37,8 +38,8 @@ std::vector<PageTriangle> page_triangles(const ZoneView& view, const Node& node,
         for (const Primitive& primitive : view.scene.meshes[node.mesh].primitives) {
             std::vector<std::optional<glm::dvec2>> places_mm;
             for (const glm::vec3& position : primitive.positions) {
-                places_mm.push_back(
-                    page_place_mm(view, glm::dvec3(world_from_mesh * glm::dvec4(position, 1.0))));
+                places_mm.push_back(page_place_mm(view.page, view.anchor,
+                                                  glm::dvec3(world_from_mesh * glm::dvec4(position, 1.0))));
             }
             const bool has_triangles = primitive.topology == Topology::triangles;
             for (size_t i = 0; has_triangles && i + 2 < primitive.indices.size(); i += 3) {
@@ -59,7 +60,7 @@ std::optional<shared::InkZone> disc_zone(const ZoneView& view, const glm::dmat4&
     const double radius_m =
         std::max({glm::length(glm::dvec3(world_from_node[0])), glm::length(glm::dvec3(world_from_node[1])),
                   glm::length(glm::dvec3(world_from_node[2]))});
-    const auto middle_mm = page_place_mm(view, middle);
+    const auto middle_mm = page_place_mm(view.page, view.anchor, middle);
     if (!middle_mm) {
         return std::nullopt;
     }
@@ -67,7 +68,7 @@ std::optional<shared::InkZone> disc_zone(const ZoneView& view, const glm::dmat4&
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 beside(0.0);
         beside[axis] = 0.01 * radius_m;
-        if (const auto beside_mm = page_place_mm(view, middle + beside)) {
+        if (const auto beside_mm = page_place_mm(view.page, view.anchor, middle + beside)) {
             radius_mm = std::max(radius_mm, 100.0 * glm::distance(*middle_mm, *beside_mm));
         }
     }
@@ -82,8 +83,8 @@ glm::dvec2 ahead_on_page(const ZoneView& view, const glm::dmat4& world_from_node
     const glm::dvec3 middle(world_from_node[3]);
     const glm::dvec3 ahead = -glm::normalize(glm::dvec3(world_from_node[2]));
     const double step_m = 0.01 * glm::length(glm::dvec3(world_from_node[2]));
-    const auto from_mm = page_place_mm(view, middle);
-    const auto to_mm = page_place_mm(view, middle + step_m * ahead);
+    const auto from_mm = page_place_mm(view.page, view.anchor, middle);
+    const auto to_mm = page_place_mm(view.page, view.anchor, middle + step_m * ahead);
     const glm::dvec2 moved = from_mm && to_mm ? *to_mm - *from_mm : glm::dvec2(0.0);
     return glm::length(moved) > 1e-9 ? glm::normalize(moved) : glm::dvec2(0.0);
 }

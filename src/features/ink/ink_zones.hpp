@@ -3,6 +3,7 @@
 
 // Areas of the page in which nodes of the scene move flowing ink or emit it.
 
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -15,6 +16,10 @@
 #include "techniques/ink/ink.glsl.h"
 
 namespace estampe::features {
+
+/// Returns the position of a point of the world on the page, in millimetres; none for a point behind the eye.
+[[nodiscard]] std::optional<glm::dvec2> page_place_mm(const shared::FrameGlobals& page,
+                                                      const glm::dvec3& anchor, const glm::dvec3& point);
 
 /// The scene as it appears on the page, for placing ink zones.
 struct ZoneView {

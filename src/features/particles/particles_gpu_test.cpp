@@ -93,6 +93,11 @@ TEST(ParticlesInFrame, GrainsOfSandAreBlownOutwardsByABlast)
         }
         EXPECT_EQ(moved > 50, time_s > 2.0) << time_s;
     }
+    const glm::dvec3 within = blasts[0].centre + glm::dvec3(0.1, 0.0, 0.0); // the ball's radius is 0.29 m
+    const double grown = blasts[0].volume_m3(3.0) / blasts[0].volume_m3(1.9);
+    EXPECT_NEAR(glm::distance(blasts[0].pushed(within, 1.9, 3.0), blasts[0].centre), 0.1 * std::cbrt(grown),
+                1e-12)
+        << "air within the ball spreads evenly";
 }
 
 TEST(ParticlesInFrame, AreBlownAwayByTheSmokesBlast)

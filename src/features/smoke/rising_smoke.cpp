@@ -89,17 +89,11 @@ struct Risen {
     StepsLeft left;
 };
 
-/// Whether a blast goes off at some time.
-bool is_blasting(const smoke::SmokeStyle& style)
-{
-    return smoke::is_explosive(style) && smoke::has_blast(style);
-}
-
 /// Returns the number of the step in which a blast goes off; none if no step of the period does.
 std::optional<uint32_t> step_of_blast(const Rise& rise, uint32_t count)
 {
     const double after_s = static_cast<double>(rise.style.blast_at_s) - rise.from_s;
-    if (!is_blasting(rise.style) || after_s < 0.0 || after_s >= rise.gap_s) {
+    if (!smoke::is_blasting(rise.style) || after_s < 0.0 || after_s >= rise.gap_s) {
         return std::nullopt;
     }
     return std::min(static_cast<uint32_t>(after_s / rise.gap_s * count), count - 1);
@@ -111,7 +105,7 @@ fluid::FluidStyle solving_until(const Rise& rise, double step_s, double until_s)
 {
     constexpr float clearings = 5.0F; // per time constant of the blast
     fluid::FluidStyle solver = solving(rise.box, rise.style, step_s);
-    if (is_blasting(rise.style) && until_s > static_cast<double>(rise.style.blast_at_s)) {
+    if (smoke::is_blasting(rise.style) && until_s > static_cast<double>(rise.style.blast_at_s)) {
         solver.matter.rim.share_per_s += clearings * rise.style.explosion_per_s;
     }
     return solver;
@@ -295,7 +289,7 @@ std::vector<Blast> smoke_blasts(const Scene& scene, const ScenePose& pose, const
                                 const smoke::SmokeStyle& style)
 {
     std::vector<Blast> blasts;
-    if (!style.enabled || !smoke::has_blast(style)) {
+    if (!style.enabled || !smoke::is_blasting(style)) {
         return blasts;
     }
     for (const smoke::Box& box :
@@ -438,7 +432,7 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
         columns_.clear();
         return {};
     }
-    if (smoke::has_blast(style) && !blast_of(boxes.front(), style, in.layout.anchor)) {
+    if (style.blast_at_s >= 0.0F && !smoke::is_blasting(style)) {
         notes.emplace_back(smoke::is_explosive(style)
                                ? "smoke.blast_at_s gives no explosion, because smoke.blast_heat is not above "
                                  "smoke.explodes_above"

@@ -164,7 +164,7 @@ fluid::Source blasting_source_of(const smoke::Box& box, const smoke::SmokeStyle&
 {
     fluid::Source source = source_of(box, style);
     const auto at_once_per_s = static_cast<float>(1.0 / step_s);
-    const float growth = std::max(style.blast_heat / style.explodes_above, 1.0F);
+    const float growth = style.blast_heat / style.explodes_above;
     source.gain_per_s[shared::fluid_temperature] += at_once_per_s * style.blast_heat;
     source.gain_per_s[shared::fluid_density] += at_once_per_s * growth;
     return source;
@@ -172,7 +172,7 @@ fluid::Source blasting_source_of(const smoke::Box& box, const smoke::SmokeStyle&
 
 std::optional<Blast> blast_of(const smoke::Box& box, const smoke::SmokeStyle& style, const glm::dvec3& anchor)
 {
-    if (!smoke::is_explosive(style) || !smoke::has_blast(style) || style.blast_heat <= style.explodes_above) {
+    if (!smoke::is_blasting(style)) {
         return std::nullopt;
     }
     const fluid::Shape& ball = source_of(box, style).shape;

@@ -109,10 +109,13 @@ shared::ShadeRecord Toon::record_of(const ToonInputs& in, size_t draw) const
 
 ToonPlan Toon::ensure(gpu::Device& device, const ToonInputs& in, std::vector<std::string>& notes)
 {
-    ensure_pictures(device, in.variants);
     const bool is_painted = std::ranges::any_of(
         in.variants.styles, [](const StyleTables& style) { return style.wash.strength > 0.0F; });
-    if (!is_painted || (in.materials.shades.empty() && pictures_.empty())) {
+    if (!is_painted) {
+        return {};
+    }
+    ensure_pictures(device, in.variants);
+    if (in.materials.shades.empty() && pictures_.empty()) {
         return {};
     }
     ToonPlan plan;

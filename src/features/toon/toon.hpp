@@ -57,8 +57,6 @@ private:
     struct Picture {
         std::string path;
         glm::vec3 mean_color{1.0F};
-
-        bool operator==(const Picture&) const = default;
     };
 
     void ensure_pictures(gpu::Device& device, const StyleVariants& variants);

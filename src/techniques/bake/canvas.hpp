@@ -19,7 +19,8 @@ public:
     {
     }
 
-    /// Calls `visit` for each of a texel's eight neighbours.
+    /// Calls `visit` for each of a texel's eight neighbours; without `repeats`, only for those inside the
+    /// image.
     template <class Visit>
     void around(uint32_t place, const Visit& visit) const
     {

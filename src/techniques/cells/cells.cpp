@@ -103,43 +103,43 @@ double distance_of(std::span<const glm::dvec3> corners)
 }
 
 /// Whether a box reaches outside of all cells from number `first` on, by more than rounding.
-bool reaches_outdoors(std::span<const SceneCell> cells, const Box& box, size_t first = 0)
+bool reaches_outdoors(std::span<const SceneCell> cells, const Bounds& box, size_t first = 0)
 {
     constexpr double rounding_m = 1e-4;
     for (size_t i = first; i < cells.size(); ++i) {
-        const glm::dvec3 low = glm::max(box.low_m, cells[i].low_m);
-        const glm::dvec3 high = glm::min(box.high_m, cells[i].high_m);
+        const glm::dvec3 low = glm::max(box.min, cells[i].low_m);
+        const glm::dvec3 high = glm::min(box.max, cells[i].high_m);
         if (glm::any(glm::lessThanEqual(high, low))) {
             continue;
         }
         // The parts of the box beside this cell must lie in the cells that follow.
-        Box left = box;
+        Bounds left = box;
         for (int axis = 0; axis < 3; ++axis) {
-            Box below = left;
-            below.high_m[axis] = low[axis];
-            Box above = left;
-            above.low_m[axis] = high[axis];
-            if ((low[axis] - left.low_m[axis] > rounding_m && reaches_outdoors(cells, below, i + 1)) ||
-                (left.high_m[axis] - high[axis] > rounding_m && reaches_outdoors(cells, above, i + 1))) {
+            Bounds below = left;
+            below.max[axis] = low[axis];
+            Bounds above = left;
+            above.min[axis] = high[axis];
+            if ((low[axis] - left.min[axis] > rounding_m && reaches_outdoors(cells, below, i + 1)) ||
+                (left.max[axis] - high[axis] > rounding_m && reaches_outdoors(cells, above, i + 1))) {
                 return true;
             }
-            left.low_m[axis] = low[axis];
-            left.high_m[axis] = high[axis];
+            left.min[axis] = low[axis];
+            left.max[axis] = high[axis];
         }
         return false;
     }
     return true;
 }
 
-bool touches(const SceneCell& cell, const Box& box)
+bool touches(const SceneCell& cell, const Bounds& box)
 {
-    return glm::all(glm::lessThanEqual(box.low_m, cell.high_m)) &&
-           glm::all(glm::lessThanEqual(cell.low_m, box.high_m));
+    return glm::all(glm::lessThanEqual(box.min, cell.high_m)) &&
+           glm::all(glm::lessThanEqual(cell.low_m, box.max));
 }
 
-Box grown(const Box& box, double by_m)
+Bounds grown(const Bounds& box, double by_m)
 {
-    return {box.low_m - by_m, box.high_m + by_m};
+    return {box.min - by_m, box.max + by_m};
 }
 
 [[noreturn]] void fail(const char* kind, size_t number, const std::string& problem)
@@ -229,7 +229,7 @@ void SeenCells::find(std::span<const SceneCell> cells, std::span<const ScenePort
     steps_ = 0;
     beams_.clear();
     on_path_.assign(cells.size(), false);
-    const Box around = grown({eye.place_m, eye.place_m}, eye.near_m + slack_m);
+    const Bounds around = grown({eye.place_m, eye.place_m}, eye.near_m + slack_m);
     for (Index cell = 0; cell < cells.size(); ++cell) {
         if (touches(cells[cell], around)) {
             enter(cell, eye.sides, nullptr);
@@ -298,17 +298,17 @@ bool SeenCells::is_seen(Index cell) const
     return std::ranges::any_of(beams_, [&](const Beam& beam) { return beam.cell == cell; });
 }
 
-bool may_show(const Eye& eye, const Beam& beam, const Box& box)
+bool may_show(const Eye& eye, const Beam& beam, const Bounds& box)
 {
-    const glm::dvec3 middle = 0.5 * (box.low_m + box.high_m) - eye.place_m;
-    const glm::dvec3 half = 0.5 * (box.high_m - box.low_m);
+    const glm::dvec3 middle = box.center() - eye.place_m;
+    const glm::dvec3 half = 0.5 * (box.max - box.min);
     const double margin = eye.margin * (glm::length(middle) + glm::length(half)) + slack_m;
     return std::ranges::all_of(beam.sides, [&](const glm::dvec3& side) {
         return glm::dot(side, middle) + glm::dot(glm::abs(side), half) + margin >= 0.0;
     });
 }
 
-CellsOfClusters::CellsOfClusters(std::span<const SceneCell> cells, std::vector<std::optional<Box>> boxes)
+CellsOfClusters::CellsOfClusters(std::span<const SceneCell> cells, std::vector<std::optional<Bounds>> boxes)
     : boxes_(std::move(boxes)), clusters_(cells.size() + 1), always_((boxes_.size() + 31) / 32, 0U)
 {
     for (uint32_t cluster = 0; cluster < boxes_.size(); ++cluster) {
@@ -316,7 +316,7 @@ CellsOfClusters::CellsOfClusters(std::span<const SceneCell> cells, std::vector<s
             always_[cluster / 32] |= 1U << cluster % 32;
             continue;
         }
-        const Box box = grown(*boxes_[cluster], slack_m);
+        const Bounds box = grown(*boxes_[cluster], slack_m);
         for (size_t cell = 0; cell < cells.size(); ++cell) {
             if (touches(cells[cell], box)) {
                 clusters_[cell].push_back(cluster);

@@ -4,7 +4,6 @@
 // Culling by cells and portals: finds the rooms that an eye sees through doors and other openings, and the
 // clusters of triangles in these rooms. All work is done on the CPU; nothing that is visible is culled.
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -73,10 +72,10 @@ class SeenCells {
 public:
     /// Finds the beams of an eye. The view begins with the sides of the page in the eye's own cell, and goes
     /// on through each portal with the planes through the eye and the edges of the portal's visible part. A
-    /// cell is in the result if any line of sight enters it. After 4,096 steps or 512 beams, the search ends,
-    /// and each cell is visible on the whole page.
+    /// cell is in the result if any line of sight enters it. If the search takes 4,096
+    /// steps or finds 512 beams, it gives up, and each cell is visible on the whole page.
     ///
-    /// Cost    linear in portals per step; some microseconds for a house of thirty rooms
+    /// Cost    linear in portals per step; less than 0.2 ms for a house of twenty rooms, with find_seen()
     void find(std::span<const SceneCell> cells, std::span<const ScenePortal> portals, const Eye& eye);
 
     [[nodiscard]] std::span<const Beam> beams() const { return beams_; }
@@ -95,27 +94,22 @@ private:
     uint32_t steps_ = 0;
 };
 
-/// A box in world space.
-struct Box {
-    glm::dvec3 low_m{0.0}, high_m{0.0};
-};
-
 /// Returns whether a beam of the eye may contain any part of a box. Never returns false if it does.
-[[nodiscard]] bool may_show(const Eye& eye, const Beam& beam, const Box& box);
+[[nodiscard]] bool may_show(const Eye& eye, const Beam& beam, const Bounds& box);
 
 /// The clusters of triangles in each cell. A cluster belongs to each cell that its box touches.
 class CellsOfClusters {
 public:
     /// Assigns clusters to cells by their boxes. A cluster without a box may move and is always drawn.
     /// Cost: linear in clusters times cells.
-    CellsOfClusters(std::span<const SceneCell> cells, std::vector<std::optional<Box>> boxes);
+    CellsOfClusters(std::span<const SceneCell> cells, std::vector<std::optional<Bounds>> boxes);
 
     /// Sets in `bits` one bit for each cluster that the beams may show, in words of 32 clusters.
     /// Cost: for each beam, linear in the clusters of its cell.
     void find_seen(const Eye& eye, const SeenCells& seen, std::vector<uint32_t>& bits) const;
 
 private:
-    std::vector<std::optional<Box>> boxes_;
+    std::vector<std::optional<Bounds>> boxes_;
     std::vector<std::vector<uint32_t>> clusters_; ///< clusters of each cell; outdoors is last
     std::vector<uint32_t> always_;                ///< bits of the clusters without a box
 };

@@ -75,7 +75,7 @@ bool shows(const House& house, const Eye& eye, const glm::dvec3& place)
     SeenCells seen;
     seen.find(house.cells, house.portals, eye);
     std::vector<uint32_t> bits;
-    CellsOfClusters(house.cells, {Box{place, place}}).find_seen(eye, seen, bits);
+    CellsOfClusters(house.cells, {Bounds{place, place}}).find_seen(eye, seen, bits);
     return bits[0] != 0;
 }
 
@@ -166,8 +166,8 @@ TEST(Cells, AreCheckedWhenASceneIsLoaded)
               std::string::npos);
 }
 
-/// A house of rooms in a grid, some of them missing, with openings at random places of random walls, floors
-/// and roofs.
+/// A house of rooms in a grid, of which some are missing. Openings lie at random places of walls, floors and
+/// roofs that are chosen at random.
 class RandomHouse {
 public:
     explicit RandomHouse(uint32_t seed) : random_(seed)
@@ -381,13 +381,13 @@ TEST(Cells, LeaveOutNothingThatARayReaches)
 TEST(Cells, HoldTheClustersThatTouchThem)
 {
     const House house = two_rooms();
-    const std::vector<std::optional<Box>> boxes{
-        Box{{-1, 0.1, -3}, {1, 1, -2}},          // 0: in the front room
-        Box{{-1, 0.1, -7}, {1, 1, -6}},          // 1: in the back room
-        Box{{-1.9, 0.1, -4.1}, {-1, 2.9, -3.9}}, // 2: in the wall between them
-        Box{{-1, 0, -20}, {1, 1, -19}},          // 3: outdoors, behind
-        Box{{-1, 2.9, -7}, {1, 3.1, -6}},        // 4: roof of the back room
-        std::nullopt,                            // 5: may move
+    const std::vector<std::optional<Bounds>> boxes{
+        Bounds{{-1, 0.1, -3}, {1, 1, -2}},          // 0: in the front room
+        Bounds{{-1, 0.1, -7}, {1, 1, -6}},          // 1: in the back room
+        Bounds{{-1.9, 0.1, -4.1}, {-1, 2.9, -3.9}}, // 2: in the wall between them
+        Bounds{{-1, 0, -20}, {1, 1, -19}},          // 3: outdoors, behind
+        Bounds{{-1, 2.9, -7}, {1, 3.1, -6}},        // 4: roof of the back room
+        std::nullopt,                               // 5: may move
     };
     const CellsOfClusters clusters(house.cells, boxes);
     const auto drawn = [&](const Eye& eye) {

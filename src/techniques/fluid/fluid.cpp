@@ -291,16 +291,15 @@ uint32_t Fluid::most_steps(const FluidStyle& style) const
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
     const uint32_t diffusion =
         style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
-    const uint32_t swells = !is_expanding(style.matter, channels_) ? 0
-                            : has_mass                             ? 1
-                                       : rounds_of_projection(grid_, trusted(style.projection), are_solid());
-    const uint32_t part = passes_of_advection(grid_, style.velocity_advection) + 4 + diffusion + swells +
-                          (has_mass ? passes_of_mass_pressure()
-                                    : passes_of_projection(grid_, trusted(style.projection), are_solid()));
+    const bool expands = is_expanding(style.matter, channels_);
+    const uint32_t pressure =
+        has_mass ? passes_of_mass_pressure() + (expands ? 1 : 0)
+                 : passes_of_projection(grid_, trusted(style.projection), are_solid(), expands);
+    const uint32_t part = passes_of_advection(grid_, style.velocity_advection) + 4 + diffusion + pressure;
     const uint32_t quantities =
         has_mass ? passes_of_conserving_advection : passes_of_advection(grid_, style.quantity_advection);
     const uint32_t step = (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + quantities : 0) +
-                          (swells > 0 ? passes_of_swelling : 0);
+                          (expands ? passes_of_swelling : 0);
     return std::max(most_passes / step, 1U);
 }
 

@@ -82,17 +82,15 @@ struct FluidForces {
     float lift;      // gain of vertical speed per unit of temperature
     float weight;    // loss of vertical speed per unit of density
     float confinement;
-    float surplus;    // further confinement of slow swirls, as a share of `confinement`
-    float swirl_most; // vorticity, for cells of size 1, of a swirl that gets no surplus
-    float rim_share;  // rate of replacement by outside air next to the faces of an open box
-    float rim_cells;  // thickness of the layer in which air is replaced
-    vec3 outside;     // velocity of the air outside an open box
+    float rim_share; // rate of replacement by outside air next to the faces of an open box
+    float rim_cells; // thickness of the layer in which air is replaced
+    vec3 outside;    // velocity of the air outside an open box
 };
 
-// Confinement of slow swirls in 3D, see FluidForces.
+// Confinement of slow swirls in a volume.
 struct FluidConfine {
-    float surplus;
-    float swirl_most;
+    float surplus;    // further confinement of slow swirls, as a share of the confinement
+    float swirl_most; // vorticity, for cells of size 1, of a swirl that gets no surplus
 };
 
 // A rounded box turned about z, used for obstacles and sources: all points within `radius_m` of the box.

@@ -94,7 +94,8 @@ struct View {
     std::optional<gpu::BufferId> cluster_bounds =
         std::nullopt; ///< boxes of all clusters, from add_cluster_bounds()
     /// One bit for each cluster of the whole triangle list, in words of 32 bits. Triangles of a cluster whose
-    /// bit is 0 are not drawn, except in depth peeling and in masked batches.
+    /// bit is 0 are not drawn, except in depth peeling, in masked batches, and in batches of fewer than 8,192
+    /// triangles.
     std::optional<gpu::BufferId> seen_clusters = std::nullopt;
 
     /// Size of the picture that is drawn; half the view's size in depth peeling at half resolution.

@@ -92,10 +92,10 @@ struct SmokeStyle {
     return style.explodes_above > 0.0F;
 }
 
-/// Whether a burst of heat comes out of the sources at some time.
-[[nodiscard]] inline bool has_blast(const SmokeStyle& style)
+/// Whether a blast goes off at `blast_at_s`, with air that is hot enough to expand.
+[[nodiscard]] inline bool is_blasting(const SmokeStyle& style)
 {
-    return style.blast_at_s >= 0.0F;
+    return is_explosive(style) && style.blast_at_s >= 0.0F && style.blast_heat > style.explodes_above;
 }
 
 [[nodiscard]] inline bool is_moist(const SmokeStyle& style)

@@ -138,12 +138,15 @@ void main()
     float below = upper == 0 ? 0.0 : deviation_of(upper - 1);
     float above = deviation_of(upper);
     float part = clamp((wanted_px * wanted_px - below * below) / (above * above - below * below), 0.0, 1.0);
+    vec3 finer;
+    if (upper > 0) {
+        finer = smooth_at(upper - 1, middle_px, vec2(size_px));
+    } else {
+        finer = texelFetch(level_0, pixel, 0).rgb;
 #ifdef HAS_REFRACTION
-    vec3 sharp = seen.w > 0.0 ? background_in(pixel, middle_px, size_px) : texelFetch(level_0, pixel, 0).rgb;
-#else
-    vec3 sharp = texelFetch(level_0, pixel, 0).rgb;
+        finer = seen.w > 0.0 ? background_in(pixel, middle_px, size_px) : finer;
 #endif
-    vec3 finer = upper == 0 ? sharp : smooth_at(upper - 1, middle_px, vec2(size_px));
+    }
     vec3 behind = mix(finer, smooth_at(upper, middle_px, vec2(size_px)), part);
     vec4 own = imageLoad(wash, pixel);
     imageStore(wash, pixel, vec4(mix(own.rgb, clear.rgb * behind, share), own.a));

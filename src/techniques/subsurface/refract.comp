@@ -75,7 +75,6 @@ struct Triangle {
     vec3 c;
     vec3 flat_normal; // not of unit length
     uvec3 corners;
-    uint draw;
 };
 
 Triangle triangle_of(uint number)
@@ -85,7 +84,7 @@ Triangle triangle_of(uint number)
     vec3 b = posed_vertex_at(corners.y).position;
     vec3 c = posed_vertex_at(corners.z).position;
     float turn = (corners.w & triangle_mirrored) != 0u ? -1.0 : 1.0;
-    return Triangle(a, b, c, turn * cross(b - a, c - a), corners.xyz, corners.w & triangle_draw_mask);
+    return Triangle(a, b, c, turn * cross(b - a, c - a), corners.xyz);
 }
 
 // Distance along a ray to the plane of a triangle; negative if the ray never meets the plane.

@@ -5,12 +5,6 @@
 // Lines over the page. Reversed depth is linear along the picture of a straight line, so a ray is a straight
 // segment in page positions and depth. A ray that never comes back ends at depth 0.
 
-// The picture of a ray: page position in pixels of the rendered area, and reversed depth.
-struct PageRay {
-    vec3 from;
-    vec3 to;
-};
-
 // The end of a ray in clip space, where its depth is 0: the vanishing point of `along` in perspective, or the
 // point on the far plane in parallel projection. The fourth coordinate is not positive if the ray comes
 // towards the eye.

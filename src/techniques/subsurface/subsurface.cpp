@@ -263,7 +263,7 @@ uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm)
 {
     const bool has_reach = (scatters(style) && style.space == Space::page) || is_clear(style);
     const uint32_t spread = has_reach ? reach_of_levels(levels_within(style.reach_mm, pixels_per_mm)) : 0U;
-    if (style.refraction == Refraction::none) {
+    if (!refracts(style)) {
         return spread;
     }
     return spread +

@@ -163,7 +163,7 @@ struct RefractionInputs {
     gpu::BufferId background; ///< visibility buffer of all solid surfaces except clear bodies
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
-    float most_mm = 120.0F; ///< largest distance on the page between a pixel and what it shows
+    float most_mm = 0.0F; ///< largest distance on the page between a pixel and what it shows
 };
 
 /// Adds a pass that finds, for each pixel of a clear body, the place on the page where the background shows
@@ -174,7 +174,8 @@ struct RefractionInputs {
 /// Writes  rgba32f: place in pixels of the rendered area; 1 where lines behind the body are drawn; 1 where
 /// the
 ///         ray is bent
-/// Cost    one full-screen dispatch; per pixel of a bending body up to 33 depths and some 12 triangles
+/// Cost    one full-screen dispatch; per pixel of a bending body up to 140 depths and 10 triangles, and one
+///         triangle more for each sample at which the ray is behind something
 /// Source  Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.5;
 ///         two refractions after Wyman, "An Approximate Image-Space Approach for Interactive Refraction",
 ///         2005

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread per pixel computes the colour that the visible surface has in the shade, from a second texture,
-// and the share of the lit colour by the step of the surface's material.
+// One thread per pixel computes two values from a surface with a second texture: the colour in the shade, and
+// the share of the lit colour, by the step of the surface's material.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -79,8 +79,8 @@ struct ShadeInputs {
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     bool has_steps = false; ///< records with a step of their own decide by the sun where the shade begins
     uint32_t texture_classes = 0;
-    /// The work is done only in tiles of 8 x 8 pixels with such surfaces, which are listed first. On a CPU,
-    /// an empty pixel costs as much as any other.
+    /// Works only in tiles of 8 x 8 pixels that show a surface with a shade colour, and lists these tiles
+    /// first. For CPUs, where an empty pixel costs as much as any other.
     bool lists_tiles = false;
     glm::uvec2 size_px{0};
 };
@@ -92,9 +92,8 @@ struct ShadeInputs {
 ///
 /// Writes  rgba16f: linear colour in the shade; alpha is the share of the lit colour, or one of the values of
 ///         shaders/shade.glsl.h
-/// Cost    one full-screen dispatch; 8 bytes written per pixel. With `lists_tiles` a clear of the image, a
-/// small
-///         dispatch that lists tiles, and a dispatch over these tiles
+/// Cost    one full-screen dispatch; 8 bytes written per pixel. With `lists_tiles`: a clear of the image, a
+///         small dispatch that lists tiles, and a dispatch over these tiles
 /// Source  the step of VRMC_materials_mtoon 1.0
 [[nodiscard]] gpu::ImageId add_shade(gpu::Graph& graph, const ShadeInputs& in);
 

@@ -74,7 +74,7 @@ void check_settings(const NormalBakeSettings& settings)
     check_range("the UV set", settings.uv_set, 0, 1);
     if (settings.distance_m && !(*settings.distance_m > 0.0 && *settings.distance_m <= farthest_m)) {
         throw Error(fmt::format("the distance {} m is out of range", *settings.distance_m), {},
-                    "it must be more than 0");
+                    fmt::format("allowed: more than 0, up to {:g} m", farthest_m));
     }
 }
 

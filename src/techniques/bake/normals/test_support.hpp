@@ -26,8 +26,8 @@ struct SurfacePoint {
     glm::dvec2 uv;
 };
 
-/// A grid of cells * cells squares: `at` maps (0, 0) to (1, 1) to the surface. Its front is the side from
-/// which the first coordinate runs to the right and the second one up.
+/// A grid of `columns` times `rows` squares: `at` maps (0, 0) to (1, 1) to the surface. Its front is the side
+/// from which the first coordinate runs to the right and the second one up.
 inline Primitive patch(uint32_t columns, uint32_t rows, const std::function<SurfacePoint(double, double)>& at)
 {
     Primitive primitive;

@@ -22,11 +22,19 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/fluid/fluid_fields.glsl"
-#include "techniques/fluid/motion/fluid_surplus.glsl"
 
 vec4 curl_at(ivec3 cell)
 {
     return texelFetch(curl, cell, 0);
+}
+
+// Factor on the confinement of a swirl: 1 + `surplus` for slow swirls, and 1 for swirls of the vorticity
+// `swirl_most`. Faster swirls get less still, down to nothing, because the path of a step could not follow
+// them if they got faster.
+float fed_by_surplus(float vorticity, float surplus, float swirl_most)
+{
+    float share = vorticity / swirl_most;
+    return max(1.0 + surplus * (1.0 - share * share), 0.0);
 }
 
 void main()
@@ -36,8 +44,9 @@ void main()
         return;
     }
     vec4 here = curl_at(cell);
-    float fastest =
-        here.w; // of the cell and its neighbours: the force at the edge of a swirl feeds its middle
+    // Strongest vorticity of the cell and its neighbours, because the force at the edge of a swirl feeds the
+    // swirl's middle.
+    float fastest = here.w;
     vec3 gradient;
     for (int axis = 0; axis < 3; ++axis) {
         float after = curl_at(neighbour(cell, axis, 1)).w;

@@ -24,7 +24,6 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/fluid/fluid_fields.glsl"
-#include "techniques/fluid/motion/fluid_surplus.glsl"
 
 // Vorticity confinement in 2D (strengthens small vortices); for 3D see fluid_confine.comp. Source: Steinhoff
 // and Underhill, "Modification of the Euler equations for vorticity confinement", Physics of Fluids 6, 1994.
@@ -58,16 +57,8 @@ vec2 confining_force(ivec3 cell)
     float right = abs(at[5]);
     vec2 on_x = vec2(0.25 * (abs(at[5]) + abs(at[8]) - abs(at[3]) - abs(at[6])), above - here);
     vec2 on_y = vec2(right - here, 0.25 * (abs(at[7]) + abs(at[8]) - abs(at[1]) - abs(at[2])));
-    vec2 force =
-        vec2(towards_vortex(on_x).y * 0.5 * (at[4] + at[7]), -towards_vortex(on_y).x * 0.5 * (at[4] + at[5]));
-    if (forces.surplus > 0.0) {
-        float fastest = 0.0; // nearby: the force at the edge of a swirl feeds its middle
-        for (int i = 0; i < 9; ++i) {
-            fastest = max(fastest, abs(at[i]));
-        }
-        force *= fed_by_surplus(fastest, forces.surplus, forces.swirl_most);
-    }
-    return force;
+    return vec2(towards_vortex(on_x).y * 0.5 * (at[4] + at[7]),
+                -towards_vortex(on_y).x * 0.5 * (at[4] + at[5]));
 }
 
 // Gain of vertical speed by lift and weight, at the face between a cell and the cell below it.

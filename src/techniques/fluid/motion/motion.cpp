@@ -212,9 +212,10 @@ gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& s
     }
     const bool is_buoyant = quantities.has_value() && (style.lift_m_s2 != 0.0F || style.weight_m_s2 != 0.0F);
     const bool is_confined = style.confinement_per_s != 0.0F;
-    const shared::FluidConfine confine = confine_constants(grid, style, time_s);
     const gpu::ImageId confining =
-        is_confined && grid.is_volume() ? confining_force(graph, grid, confine, velocity) : velocity;
+        is_confined && grid.is_volume()
+            ? confining_force(graph, grid, confine_constants(grid, style, time_s), velocity)
+            : velocity;
     auto pass = graph.compute("fluid/forces", shaders::fluid_forces_comp);
     pass.sample(velocity, gpu::Sampling::linear_repeat)
         .sample(quantities.value_or(velocity))
@@ -226,8 +227,6 @@ gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& s
                                              .lift = time_s * style.lift_m_s2,
                                              .weight = time_s * style.weight_m_s2,
                                              .confinement = time_s * style.confinement_per_s,
-                                             .surplus = confine.surplus,
-                                             .swirl_most = confine.swirl_most,
                                              .rim_share = 1.0F - std::exp(-style.rim.share_per_s * time_s),
                                              .rim_cells = style.rim.breadth_m / grid.cell_m,
                                              .outside = style.outside_m_per_s}})

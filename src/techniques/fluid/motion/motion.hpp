@@ -82,7 +82,7 @@ struct ForceStyle {
     float confinement_per_s = 0.0F;
     /// Further confinement of slow swirls. The surplus falls with the square of a swirl's speed: to nothing
     /// for swirls that turn by `most_turn_rad` in a step, and below, until faster swirls have no confinement
-    /// at all. Only used together with `confinement_per_s`.
+    /// at all. Only used in volumes, together with `confinement_per_s`.
     float surplus_per_s = 0.0F;
     Rim rim; ///< layer at open ends where the fluid approaches `outside_m_per_s`
     glm::vec3 outside_m_per_s{0.0F};

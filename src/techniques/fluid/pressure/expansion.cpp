@@ -16,10 +16,10 @@ uint32_t part_count(const Grid& grid)
     return (grid.cells.x + group - 1) / group * ((grid.cells.y + group - 1) / group) * grid.cells.z;
 }
 
-gpu::BufferId add_swell(gpu::Graph& graph, const Grid& grid, const Swelling& swelling, gpu::BufferId numbers,
-                        uint32_t bits)
+gpu::BufferId add_swell(gpu::Graph& graph, const char* name, const Grid& grid, const Swelling& swelling,
+                        gpu::BufferId numbers, uint32_t bits)
 {
-    auto pass = graph.compute("fluid/swell", shaders::fluid_swell_comp);
+    auto pass = graph.compute(name, shaders::fluid_swell_comp);
     pass.sample(swelling.wanted, gpu::Format::r32f)
         .sample(swelling.share, gpu::Format::r32f)
         .sample(swelling.solids.cells, gpu::Format::r32ui)
@@ -64,15 +64,15 @@ Swelling add_swelling(gpu::Graph& graph, const Grid& grid, const MatterStyle& st
 }
 
 gpu::BufferId add_swelling_to_outflow(gpu::Graph& graph, const Grid& grid, const Swelling& swelling,
-                                      gpu::BufferId outflow)
+                                      gpu::BufferId outflow, const char* name)
 {
-    return add_swell(graph, grid, swelling, outflow, 0);
+    return add_swell(graph, name, grid, swelling, outflow, 0);
 }
 
 gpu::BufferId add_swelling_to_mass(gpu::Graph& graph, const Grid& grid, const Swelling& swelling,
                                    gpu::BufferId mass)
 {
-    return add_swell(graph, grid, swelling, mass, shared::fluid_bit_massive);
+    return add_swell(graph, "fluid/swell", grid, swelling, mass, shared::fluid_bit_massive);
 }
 
 } // namespace estampe::fluid

@@ -34,10 +34,11 @@ struct Hot {
                                     const Hot& hot);
 inline constexpr uint32_t passes_of_swelling = 2;
 
-/// Adds a pass that subtracts the wanted outflow from `outflow`, which add_divergence() computed. A
-/// projection then removes only the remaining outflow.
+/// Adds a pass called `name` that subtracts the wanted outflow from `outflow`, which add_divergence()
+/// computed. A projection then removes only the remaining outflow.
 [[nodiscard]] gpu::BufferId add_swelling_to_outflow(gpu::Graph& graph, const Grid& grid,
-                                                    const Swelling& swelling, gpu::BufferId outflow);
+                                                    const Swelling& swelling, gpu::BufferId outflow,
+                                                    const char* name = "fluid/swell");
 
 /// Adds a pass that returns `mass` with the mass of the expansion, for Solver::mass.
 [[nodiscard]] gpu::BufferId add_swelling_to_mass(gpu::Graph& graph, const Grid& grid,

@@ -133,7 +133,7 @@ gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId v
     return divergence;
 }
 
-uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids)
+uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids, bool expands)
 {
     const ProjectionStyle chosen = chosen_style(grid, style, has_solids);
     const auto of_solve = [&] {
@@ -148,12 +148,7 @@ uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bo
         return grid.is_volume() ? passes_of_volume_cycle(grid)
                                 : 2 * static_cast<uint32_t>(levels_of(grid).size()) - 1;
     };
-    return chosen.projections * (of_solve() + 2);
-}
-
-uint32_t rounds_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids)
-{
-    return chosen_style(grid, style, has_solids).projections;
+    return chosen.projections * (of_solve() + 2 + (expands ? 1 : 0));
 }
 
 gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,

@@ -81,12 +81,10 @@ struct ProjectionInput {
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                        const ProjectionInput& input, bool reflects);
 
-/// Number of graph passes that a projection takes, without those of an expansion.
-[[nodiscard]] uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids);
-
-/// How often a projection measures and removes the divergence; each time costs a pass more if the fluid
-/// expands.
-[[nodiscard]] uint32_t rounds_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids);
+/// Number of graph passes that a projection takes. If the fluid expands, each measurement of the divergence
+/// costs a pass more.
+[[nodiscard]] uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids,
+                                            bool expands);
 
 /// Adds passes that solve for the pressure of each cell from the cells' outflow.
 [[nodiscard]] gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,

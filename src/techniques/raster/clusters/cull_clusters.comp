@@ -17,14 +17,7 @@ layout(scalar, binding = 0) readonly buffer Bounds
 #define TILE_LIST_BINDING 1
 #include "shaders/tile_list_fill.glsl"
 
-#ifdef SEEN_CLUSTERS
 #include "techniques/raster/clusters/seen_clusters.glsl"
-#else
-bool is_in_sight(uint cluster)
-{
-    return true;
-}
-#endif
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -2,9 +2,10 @@
 #ifndef ESTAMPE_SEEN_CLUSTERS
 #define ESTAMPE_SEEN_CLUSTERS
 
-// The clusters that may be in sight, as found by culling by cells: one bit each. SEEN_CLUSTERS is the
-// buffer's binding.
+// The clusters that may be in sight, as found by culling by cells: one bit each. SEEN_CLUSTERS is the binding
+// of their buffer; without it, all clusters may be in sight.
 
+#ifdef SEEN_CLUSTERS
 layout(scalar, binding = SEEN_CLUSTERS) readonly buffer Seen
 {
     uint seen[];
@@ -14,5 +15,11 @@ bool is_in_sight(uint cluster)
 {
     return (seen[cluster / 32u] >> (cluster % 32u) & 1u) != 0u;
 }
+#else
+bool is_in_sight(uint cluster)
+{
+    return true;
+}
+#endif
 
 #endif

@@ -15,14 +15,7 @@ layout(scalar, binding = 2) writeonly buffer Kept
     uint kept[];
 };
 
-#ifdef SEEN_CLUSTERS
 #include "techniques/raster/clusters/seen_clusters.glsl"
-#else
-bool is_in_sight(uint cluster)
-{
-    return true;
-}
-#endif
 
 layout(constant_id = 0) const uint variant = 0u;
 
