@@ -138,7 +138,7 @@ double line_width_mm(uint32_t height_px, uint32_t tile_px)
         "manual",
         {"contour.outline.width_mm=2", "contour.crease.enabled=false", "contour.pressure=0",
          "contour.taper_mm=0", "contour.distance_thinning=0", "contour.wobble_mm=0", "contour.overshoot_mm=0",
-         "paper.height_mm=50", "paper.margin_mm=0", "paper.grain=0", "paper.ink_break=0",
+         "contour.rank=0", "paper.height_mm=50", "paper.margin_mm=0", "paper.grain=0", "paper.ink_break=0",
          "paper.color=#ffffff", "contour.ink=#000000", "hatch.enabled=false", "wash.strength=0",
          "contour.jitter_ends_mm=0", "contour.jitter_width=0", "contour.jitter_offset_mm=0"});
     test::shared_renderer().set_scene(test::scene_of(shapes::plane(2.0F, 2.0F)));

@@ -19,10 +19,11 @@ SHARED_CONSTANT uint draw_mirrored = 4U;   // the draw call's transform mirrors 
 SHARED_CONSTANT uint draw_unshadowed = 8U; // no shadow falls on the draw call's surfaces
 SHARED_CONSTANT uint draw_is_cut = 16U;    // alpha cuts or fades the surface, so it may end before its edges
 
-// Masks of the fourth word of a triangle, which holds the number of the draw call and two flags for the
-// rasteriser.
+// Masks of the fourth word of a triangle, which holds the number of the draw call and flags.
 SHARED_CONSTANT uint triangle_mirrored = 1U << 31U;
 SHARED_CONSTANT uint triangle_two_sided = 1U << 30U;
+// Of triangles of the line mesh only: the triangle belongs to a flat face, whatever its vertex normals say.
+SHARED_CONSTANT uint triangle_is_flat = 1U << 29U;
 SHARED_CONSTANT uint triangle_draw_mask = (1U << 28U) - 1U;
 
 // A vertex of the rest pose: three texels of 16 bytes, see shaders/rest_texels.glsl. The normal is

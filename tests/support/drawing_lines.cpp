@@ -70,7 +70,7 @@ ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClas
     const auto grid =
         graph.buffer("grid", contour::list_of(contour::grid_cell_count(size_px), sizeof(glm::uvec2)));
     const contour::ChainSamples samples = contour::add_samples(graph, inputs, chains);
-    const contour::ChainStrokes strokes = contour::add_strokes(graph, samples, grid, size_px, wanted);
+    const contour::ChainStrokes strokes = contour::add_strokes(graph, inputs, samples, grid, wanted);
     std::vector<gpu::BufferId> buffers;
     std::vector<std::function<void(const std::vector<std::byte>&)>> takers;
     const auto read = [&]<class T>(std::vector<T>& list, gpu::BufferId buffer) {

@@ -149,7 +149,7 @@ TEST(StyleVariantPictures, LinesHaveTheInkAndTheWidthOfTheirObject)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(named_still_life());
-    const Assignments even{"contour.pressure=0", "contour.distance_thinning=0",
+    const Assignments even{"contour.pressure=0", "contour.distance_thinning=0", "contour.rank=0",
                            "contour.outline.width_mm=0.4", "contour.ink=#000000"};
     Assignments mixed = even;
     mixed.insert(mixed.end(), {"object.ball.contour.outline.width_mm=1.2", "object.ball.contour.ink=#ff0000",

@@ -119,9 +119,17 @@ void add_hand_keys(ContourTable& table)
                 {{"light", PressureFrom::light}, {"turn", PressureFrom::turn}, {"both", PressureFrom::both}},
                 "Where ink lines get wider. light: in shade; turn: where a line bends; both: in shade and at "
                 "bends. turn and both need contour.lines to be chains.")
+        .number(
+            "rank", &ContourStyle::rank, {0.0F, 1.0F}, "",
+            "How much outlines differ in width by what they say. Outlines before something far away and "
+            "edges that touch the ground get wider, outlines before something near get finer. 0 draws all "
+            "equally wide. Only used when contour.lines is chains.")
         .number("distance_thinning", &ContourStyle::distance_thinning, {0.0F, 1.0F}, "",
                 "How much thinner ink lines are in the distance. 0 keeps one width, 1 makes far lines about "
                 "a third as wide as near lines.")
+        .number("shortest_mm", &ContourStyle::shortest_mm, {0.0F, 20.0F}, "mm",
+                "Length of the shortest ink line. Shorter parts of lines are left out as scraps; 0 draws all "
+                "of them. Only used when contour.lines is chains.")
         .number("taper_mm", &ContourStyle::taper_mm, {0.0F, 100.0F}, "mm",
                 "Length over which an ink line thins towards its free ends. 0 gives blunt ends, more gives "
                 "pointed ends. Only used when contour.lines is chains.")

@@ -70,7 +70,9 @@ struct ContourStyle {
     Joints joints = Joints::round;
     float pressure = 0.65F;
     PressureFrom pressure_from = PressureFrom::light;
+    float rank = 0.5F;
     float distance_thinning = 0.7F;
+    float shortest_mm = 1.5F;
     float taper_mm = 6.0F;
     float overshoot_mm = 0.0F;
     float wobble_mm = 0.0F;

@@ -259,7 +259,9 @@ TEST(Transparency, AClearPaneLeavesThePictureAsItWas)
     const Image without = draw(still_life());
     Scene scene = still_life();
     add_pane(scene, green, 0.0F, 2.0, pane(), 1.2);
-    EXPECT_EQ(draw(scene), without);
+    // The pane makes the scene a little larger, and so changes in the seventh digit how much lines get
+    // thinner in the distance.
+    EXPECT_LE(test::compare_images(without, draw(scene)).max_abs, 1U);
     scene.materials.back().base_color.w = 0.5F;
     EXPECT_GT(test::compare_images(without, draw(scene)).failing_fraction, 0.1);
 }

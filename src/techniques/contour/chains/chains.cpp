@@ -291,6 +291,10 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .meetings = has_lines(style, shared::line_intersection) && mesh.shell_count > 1,
                        .sun = {},
                        .step_px = in.line_step_px,
+                       .pixels_per_mm = in.pixels_per_mm,
+                       .shortest_px = style.shortest_mm * in.pixels_per_mm,
+                       .widest_gap_px = style.outline.width_mm * in.pixels_per_mm,
+                       .shell_count = mesh.shell_count,
                        .size_px = in.size_px,
                        .execution = in.execution};
     if (in.sun) {

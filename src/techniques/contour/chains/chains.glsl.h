@@ -198,6 +198,11 @@ SHARED_CONSTANT uint sample_is_off_page = 2U;
 SHARED_CONSTANT uint sample_is_corner = 4U;
 SHARED_CONSTANT uint sample_in_ring = 8U;  // the sample belongs to a closed line without a gap
 SHARED_CONSTANT uint piece_is_there = 16U; // the line continues from the sample to the next sample
+// Ten bits of a sample's state say how far behind the line the next surface lies: the step in depth, in
+// 1/16 mm on the page. The largest number stands for all greater steps, and for an empty background.
+SHARED_CONSTANT uint sample_step_shift = 5U;
+SHARED_CONSTANT uint sample_step_most = 1023U;
+SHARED_CONSTANT float sample_steps_a_mm = 16.0F;
 
 // A sample (a point on a chain). The samples of one chain are equally spaced.
 struct LineSample {
@@ -320,6 +325,17 @@ struct ChainConstants {
     float least_turn;        // smallest change of slope across a drawn crest
 };
 
+struct SettleConstants {
+    float shortest_px;   // shortest part of a line that is drawn by itself, in pixels
+    float widest_gap_px; // a hidden part of a line that is shorter is drawn nevertheless
+};
+
+struct DropConstants {
+    uvec2 size_px;
+    float shortest_px; // length of the shortest stroke that is no scrap, in pixels
+    float pixels_per_mm;
+};
+
 // The page lattice: a grid of points on the page, between which lines are found. See page_cells.glsl.
 struct CellConstants {
     uint columns; // number of points per row of the page lattice (a grid of points on the page)
@@ -370,6 +386,8 @@ struct ShapeConstants {
     float jitter_ends_px;
     float jitter_offset_px;
     float jitter_width;
+    float rank; // how much the widths of outlines differ by what the outlines say, 0 to 1
+    uint brush_uses; // one bit per kind of line that has a brush other than the pen, and one for hidden lines
 };
 
 struct PartConstants {
@@ -433,6 +451,12 @@ static_assert(sizeof(ShapeConstants) <= 128);
 static_assert(sizeof(BrushConstants) <= 128);
 } // namespace estampe::shared
 #else
+
+// Step in depth behind a line, in millimetres on the page. `state` is the member of a LineSample.
+float depth_step_mm(uint state)
+{
+    return float(state >> sample_step_shift & sample_step_most) / sample_steps_a_mm;
+}
 
 // Whether a line was found between the pixels of the page and not on the mesh; such a line is certainly
 // visible. `source` is the member of a Segment, ChainPoint or LineSample.

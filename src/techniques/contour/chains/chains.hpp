@@ -157,6 +157,7 @@ struct ChainSamples {
     gpu::BufferId states;  ///< state bits of each sample: sample_is_visible and so on
     /// For each slot (entry of the list of chains): the position at which a closed chain is cut open.
     gpu::BufferId rotation;
+    gpu::BufferId facing; ///< one bit per triangle, set if the triangle faces the eye
     gpu::ExecutionProfile execution;
 };
 
@@ -219,7 +220,11 @@ struct ChainInputs {
     bool meetings = false; ///< draws lines where two connected surfaces intersect
     /// Inputs for the edges of the sun's shadow; empty if the style does not draw them.
     std::optional<SunPixels> sun;
-    float step_px = 3.0F; ///< approximate distance between samples, in pixels
+    float step_px = 3.0F;       ///< approximate distance between samples, in pixels
+    float pixels_per_mm = 1.0F; ///< of the page
+    float shortest_px = 0.0F;   ///< a shorter visible part of a line is not drawn
+    float widest_gap_px = 0.0F; ///< a shorter hidden part of a line is drawn
+    uint32_t shell_count = 0;   ///< number of connected surfaces, from EdgeMesh::shell_count
     glm::uvec2 size_px{0};
     gpu::ExecutionProfile execution;
 };
@@ -244,8 +249,8 @@ struct ChainInputs {
 
 /// Makes strokes of the visible lines, or of the hidden lines on the page. Enters the samples into the sample
 /// grid `grid` by their position. Overwrites the lengths of the stroke lists of an earlier call.
-[[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid,
-                                       glm::uvec2 size_px, LineClass wanted = LineClass::seen);
+[[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& lines, const ChainSamples& in,
+                                       gpu::BufferId grid, LineClass wanted = LineClass::seen);
 
 /// Returns the line widths and inks of a style variant (the style of certain materials or objects) as an
 /// entry of ContourInputs::variant_lines.

@@ -74,6 +74,7 @@ inline ContourStyle even_lines(float width_px)
     style.pressure = 0.0F;
     style.distance_thinning = 0.0F;
     style.taper_mm = 0.0F;
+    style.rank = 0.0F;
     return style;
 }
 

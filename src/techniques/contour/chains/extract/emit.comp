@@ -63,6 +63,9 @@ const bool has_loose_edges = (variant & emit_has_loose_edges) != 0u;
 const bool along_edges = (variant & emit_along_edges) != 0u;
 
 const uint most_triangles_at_a_point = 64u;
+// Cosine of 53 degrees, the largest angle between the view and the normal of a triangle that plainly faces
+// the eye. The triangles along the outline of a round shape of seven sides turn less.
+const float plain_cosine = 0.6;
 
 #include "techniques/contour/chains/extract/triangle_sides.glsl"
 
@@ -139,6 +142,11 @@ Crossing crossing_of(Corner i, Corner j)
                     pack_normal(unit(mix(low.normal, high.normal, along))));
 }
 
+uint turned_over(uint packed_normal)
+{
+    return pack_normal(-unpack_normal(packed_normal));
+}
+
 // How far the smooth surface with a triangle's vertex normals may bulge out of the flat triangle, in metres.
 float bulge_of(Corner a, Corner b, Corner c)
 {
@@ -146,6 +154,30 @@ float bulge_of(Corner a, Corner b, Corner c)
     float bc = size_of(b.position - c.position) * size_of(b.normal - c.normal);
     float ca = size_of(c.position - a.position) * size_of(c.normal - a.normal);
     return 0.125 * max(ab, max(bc, ca));
+}
+
+// Whether the surface turns its front away from the eye on the way to the eye. Where the eye sees the front,
+// such a place is hidden; so if it is seen, the eye sees the back of the surface, and the outside of the
+// outline lies where the back's normals point.
+bool bends_to_eye(Corner a, Corner b, Corner c)
+{
+    vec3 ab = b.position - a.position;
+    vec3 ac = c.position - a.position;
+    vec3 plane = cross(ab, ac);
+    vec3 way = way_to_eye(a.position);
+    vec3 turns = vec3(dot(a.normal, way), dot(b.normal, way), dot(c.normal, way));
+    vec3 growth = (turns.y - turns.x) * cross(ac, plane) + (turns.z - turns.x) * cross(plane, ab);
+    return dot(growth, way) < 0.0;
+}
+
+// Whether the flat triangle plainly faces the eye or turns away from it, so that an outline through it comes
+// from vertex normals that do not fit the shape, for example averaged ones on a box.
+bool is_turned_plainly(Corner a, Corner b, Corner c)
+{
+    vec3 plane = cross(b.position - a.position, c.position - a.position);
+    vec3 way = way_to_eye(a.position);
+    float facing = dot(plane, way);
+    return facing * facing > plain_cosine * plain_cosine * dot(plane, plane) * dot(way, way);
 }
 
 Segment through_triangle(uint triangle, uint segment_count)
@@ -181,8 +213,10 @@ Segment through_triangle(uint triangle, uint segment_count)
         next = beyond;
         ++i;
     } while (i < loop_rounds(2, int(triangle)));
-    return Segment(from.position, from.normal, to.position, to.normal, triangle << 2 | 3u, next,
-                   previous != no_segment ? 1u : 0u, bulge_of(a, b, c));
+    bool sees_back = (corners.w & triangle_two_sided) != 0u && bends_to_eye(a, b, c);
+    return Segment(from.position, sees_back ? turned_over(from.normal) : from.normal, to.position,
+                   sees_back ? turned_over(to.normal) : to.normal, triangle << 2 | 3u, next,
+                   previous != no_segment ? 1u : 0u, is_turned_plainly(a, b, c) ? -1e-30 : bulge_of(a, b, c));
 }
 
 // Finds the outline segment on an edge that continues at the end of a side of a front-facing triangle (or at
@@ -212,7 +246,8 @@ uint outline_around(uint triangle, uint corner, bool forwards, uint segment_coun
     return no_segment;
 }
 
-// Whether an edge is concave, so that the front-facing surface hides the outline along the edge.
+// Whether an edge is concave, so that the front-facing surface hides the outline along the edge, unless the
+// eye sees the back of the surface.
 bool is_hollow(uint front_side, uint back_side)
 {
     uvec4 corners = triangle_at(front_side >> 2);
@@ -252,12 +287,15 @@ Segment along_edge(uint edge, uint segment_count)
         uint within = is_inside_out(side >> 2) ? no_segment : segment_or_none(side >> 2, segment_count);
         beyond[end] = is_corner ? outline_around(front >> 2, front & 3u, end == 1, segment_count) : within;
         Corner third = corner_at(corners[3u - ends.x - ends.y]);
-        bulge_m = along_edges ? 0.0 : max(bulge_m, bulge_of(start, finish, third));
+        bool is_round = !along_edges && !is_flat(side >> 2);
+        bulge_m = is_round ? max(bulge_m, bulge_of(start, finish, third)) : bulge_m;
         ++end;
     } while (end < loop_rounds(2, int(edge)));
     bool hides = is_hollow(front, first_is_front ? sides.y : sides.x);
-    return Segment(place[0].position, place[0].normal, place[1].position, place[1].normal, front, beyond[1],
-                   beyond[0] != no_segment ? 1u : 0u, hides ? -1e-30 : bulge_m);
+    bool sees_back = hides && (triangle_at(front >> 2).w & triangle_two_sided) != 0u;
+    return Segment(place[0].position, sees_back ? turned_over(place[0].normal) : place[0].normal,
+                   place[1].position, sees_back ? turned_over(place[1].normal) : place[1].normal, front,
+                   beyond[1], beyond[0] != no_segment ? 1u : 0u, hides && !sees_back ? -1e-30 : bulge_m);
 }
 
 void main()

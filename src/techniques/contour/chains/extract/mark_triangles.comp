@@ -51,7 +51,8 @@ bvec2 look_at(uint triangle)
     bool side_a = facing_at(a) >= 0.0;
     bool side_b = facing_at(b) >= 0.0;
     bool side_c = facing_at(c) >= 0.0;
-    bool has_lines = corners.x != corners.y && corners.y != corners.z && corners.z != corners.x;
+    bool has_lines = corners.x != corners.y && corners.y != corners.z && corners.z != corners.x &&
+                     (corners.w & triangle_is_flat) == 0u;
     return bvec2(is_front, !along_edges && has_lines && (side_a != side_b || side_b != side_c));
 }
 

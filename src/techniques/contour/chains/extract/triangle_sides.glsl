@@ -32,10 +32,16 @@ bool is_inside_out(uint triangle)
     return (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_inside_out) != 0u;
 }
 
+// Whether a triangle belongs to a flat face, whatever its vertex normals say.
+bool is_flat(uint triangle)
+{
+    return (triangle_at(triangle).w & triangle_is_flat) != 0u;
+}
+
 // Whether the surface of a triangle faces the eye at one corner of the triangle.
 bool is_front_at(uint triangle, uint corner)
 {
-    if (along_edges) {
+    if (along_edges || is_flat(triangle)) {
         return is_front(triangle);
     }
     bool faces = facing_at(posed_vertex_at(triangle_at(triangle)[corner])) >= 0.0;

@@ -127,8 +127,8 @@ std::vector<double> slips_px(const FilmFrame& before, const FilmFrame& now)
 struct Steadiness {
     double slip_px = 0.0; ///< root mean square
     size_t compared = 0;
-    size_t begun_anew = 0;    ///< number of samples whose brush jumped
-    double most_change = 0.0; ///< of the number of strokes between frames, as a share
+    size_t begun_anew = 0;  ///< number of samples whose brush jumped
+    size_t most_change = 0; ///< of the number of strokes from frame to frame
 };
 
 Steadiness steadiness_of(const std::vector<FilmFrame>& frames)
@@ -142,9 +142,9 @@ Steadiness steadiness_of(const std::vector<FilmFrame>& frames)
             result.begun_anew += begins_anew ? 1U : 0U;
             sum_of_squares += begins_anew ? 0.0 : slip * slip;
         }
-        const auto strokes_before = static_cast<double>(frames[i - 1].strokes.size());
-        const double change = std::abs(static_cast<double>(frames[i].strokes.size()) - strokes_before);
-        result.most_change = std::max(result.most_change, change / strokes_before);
+        const size_t before = frames[i - 1].strokes.size();
+        const size_t now = frames[i].strokes.size();
+        result.most_change = std::max(result.most_change, before > now ? before - now : now - before);
     }
     result.slip_px = std::sqrt(sum_of_squares / static_cast<double>(result.compared - result.begun_anew));
     return result;
@@ -160,7 +160,7 @@ TEST(LineBrush, ARepeatedBrushHoldsToTheSurfaceInMotion)
         << film_of_lines.begun_anew << " of " << film_of_lines.compared << " begun anew";
     EXPECT_LT(static_cast<double>(film_of_lines.begun_anew),
               0.005 * static_cast<double>(film_of_lines.compared));
-    EXPECT_LT(film_of_lines.most_change, 0.1);
+    EXPECT_LE(film_of_lines.most_change, 3U); // of some 26
 }
 
 TEST(LineBrush, DashesOfHiddenLinesHoldToo)

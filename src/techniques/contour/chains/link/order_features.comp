@@ -70,7 +70,8 @@ bool is_turned(uint triangle)
 }
 
 // Outward normal at an edge: the mean over the sides that face the eye, or over both sides if neither does.
-// So the visibility test of a box's edges is not made below the ground on which the box stands.
+// So the visibility test of a box's edges is not made below the ground on which the box stands. Of a surface
+// that is drawn from both sides, the eye may see the back: then the normals of the back count.
 vec3 edge_normal(uint side, vec3 place)
 {
     uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
@@ -84,9 +85,17 @@ vec3 edge_normal(uint side, vec3 place)
     other /= max(size_of(other), 1e-30);
     bool is_front = dot(normal, way) > 0.0;
     bool is_other_front = dot(other, way) > 0.0;
-    vec3 ruling = is_front == is_other_front ? normal + other : is_front ? normal : other;
-    normal = has_other ? ruling : normal;
-    return size_of(normal) > 1e-6 ? unit(normal) : vec3(0.0, 1.0, 0.0);
+    bool has_back = (triangle_at(side >> 2).w & triangle_two_sided) != 0u;
+    vec3 ruling = normal + other;
+    if (is_front != is_other_front) {
+        uint opposite = ((beyond & 3u) + 2u) % 3u;
+        vec3 far_corner = posed_vertex_at(triangle_at(other_triangle)[has_other ? opposite : 0u]).position;
+        bool is_hollow = has_back && dot(normal, far_corner - place) > 0.0;
+        ruling = is_hollow ? -(is_front ? other : normal) : is_front ? normal : other;
+    } else if (has_back && !is_front) {
+        ruling = -ruling;
+    }
+    return size_of(ruling) > 1e-6 ? unit(ruling) : vec3(0.0, 1.0, 0.0);
 }
 
 vec3 place_of(FeaturePoint point)

@@ -14,6 +14,8 @@
 
 #include <glm/glm.hpp>
 
+#include "shaders/scene.glsl.h"
+
 namespace estampe::contour {
 namespace {
 
@@ -201,6 +203,14 @@ constexpr float same_normal_cosine = 0.99996F;
 // Cosine of 9.87 degrees, which is less than least_fold_deg: an edge with a smaller fold angle is no fold.
 constexpr float flat_cosine = 0.9852F;
 
+// Cosine of 40 degrees. A vertex normal that is further from the normal of its flat face was averaged with
+// other faces; on a round bar of five sides or more, vertex normals are nearer.
+constexpr float round_cosine = 0.766F;
+// Cosine of half a degree: two triangles lie in one plane.
+constexpr float one_plane_cosine = 0.99996F;
+// Cosine of 5 degrees: the largest fold within a face.
+constexpr float one_face_cosine = 0.9962F;
+
 uint32_t next(uint32_t corner)
 {
     return corner == 2 ? 0 : corner + 1;
@@ -217,6 +227,7 @@ public:
         list_sides();
         pair_sides();
         find_shells();
+        mark_flat();
         mark_smooth();
         mark_inside_out();
         return std::move(mesh_);
@@ -429,6 +440,13 @@ private:
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
 
+    [[nodiscard]] glm::vec3 mesh_normal(uint32_t t) const
+    {
+        const glm::vec3 n = area_normal(t, soup_.mesh_positions);
+        const float length = glm::length(n);
+        return length > 0.0F ? n / length : glm::vec3(0.0F);
+    }
+
     /// How well the vertex normals of a triangle agree with the triangle's winding, weighted by area. The
     /// value is negative if normals and winding disagree.
     [[nodiscard]] float agreement(uint32_t t) const
@@ -488,6 +506,75 @@ private:
                 flags = (flags | number) ^ (agrees < 0.0F ? neighbor_is_turned : 0U);
             }
         });
+    }
+
+    [[nodiscard]] bool is_flat(uint32_t t) const
+    {
+        return (mesh_.triangles[t].w & shared::triangle_is_flat) != 0;
+    }
+
+    /// Cosine of the angle between a triangle and the triangle beyond a side: 1 if they lie in one plane.
+    [[nodiscard]] float fold_cosine(uint32_t t, uint32_t beyond) const
+    {
+        const bool is_against =
+            ((mesh_.neighbors[t].w ^ mesh_.neighbors[beyond].w) & neighbor_is_turned) != 0;
+        return glm::dot(normal(t), normal(beyond)) * (is_against ? -1.0F : 1.0F);
+    }
+
+    /// Whether a triangle is part of a flat face whose vertex normals belong to other faces, as on a box with
+    /// averaged normals.
+    [[nodiscard]] bool is_shaded_round(uint32_t t) const
+    {
+        const glm::vec3 plane = normal(t);
+        bool bends = false;
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3& vertex_normal = soup_.mesh_normals[mesh_.triangles[t][k]];
+            const float length = glm::length(vertex_normal);
+            bends = bends || std::abs(glm::dot(mesh_normal(t), vertex_normal)) < round_cosine * length;
+        }
+        for (int k = 0; k < 3 && bends; ++k) {
+            const uint32_t beyond = mesh_.neighbors[t][k];
+            if (beyond != no_side && plane != glm::vec3(0.0F) &&
+                fold_cosine(t, beyond >> 2U) > one_plane_cosine) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Flags the triangles of flat faces that are shaded as if they were round. The shading breaks at all
+    /// edges where such a face folds, whatever the vertex normals say.
+    void mark_flat()
+    {
+        bool has_any = false;
+        for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+            if (has_lines(t) && is_shaded_round(t)) {
+                mesh_.triangles[t].w |= shared::triangle_is_flat;
+                has_any = true;
+            }
+        }
+        if (!has_any) {
+            return;
+        }
+        std::vector<bool> is_hard(3 * mesh_.triangles.size(), false);
+        for (const glm::uvec2& edge : mesh_.hard_edges) {
+            is_hard[3 * size_t{edge.x >> 2U} + (edge.x & 3U)] = true;
+        }
+        for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+            for (uint32_t k = 0; k < 3; ++k) {
+                const uint32_t facing = mesh_.neighbors[t][static_cast<int>(k)];
+                if (facing == no_side || facing < side_of(t, k) || !(is_flat(t) || is_flat(facing >> 2U)) ||
+                    is_hard[3 * size_t{t} + k] || is_hard[3 * size_t{facing >> 2U} + (facing & 3U)] ||
+                    fold_cosine(t, facing >> 2U) > one_face_cosine) {
+                    continue;
+                }
+                mesh_.hard_edges.emplace_back(side_of(t, k), facing);
+            }
+        }
+        for (FeatureEdge& feature : mesh_.features) {
+            feature.is_split = feature.is_split || is_flat(feature.side >> 2U) ||
+                               (feature.other_side != no_side && is_flat(feature.other_side >> 2U));
+        }
     }
 
     void mark_smooth()

@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "techniques/contour/chains/mesh/lone_creases.hpp"
+
 namespace estampe::contour {
 namespace {
 
@@ -16,7 +18,8 @@ constexpr float straight_cosine = 0.5F;
 constexpr uint32_t no_end = ~0U;
 constexpr size_t most_edges_at_a_point = 64;
 
-bool is_chosen(const FeatureEdge& edge, const FeatureChoice& choice)
+/// Whether an edge gets a line, if the surface folds there by `fold_deg`.
+bool is_chosen(const FeatureEdge& edge, float fold_deg, const FeatureChoice& choice)
 {
     if (choice.marked && edge.mark == EdgeMark::marked) {
         return true;
@@ -27,7 +30,7 @@ bool is_chosen(const FeatureEdge& edge, const FeatureChoice& choice)
     }
     const float least_deg = edge.is_split ? std::max(choice.crease_deg, least_fold_deg)
                                           : std::max(choice.crease_deg, smooth_crease_deg);
-    const bool is_crease = choice.creases && !is_left_out && edge.fold_deg >= least_deg;
+    const bool is_crease = choice.creases && !is_left_out && fold_deg >= least_deg;
     switch (edge.kind) {
     case FeatureKind::border:
         return choice.borders;
@@ -53,11 +56,14 @@ public:
         : mesh_(mesh), positions_(positions)
     {
         for (const FeatureEdge& feature : mesh.features) {
-            if (is_chosen(feature, choice)) {
+            if (is_chosen(feature, feature.fold_deg, choice) &&
+                (feature.other_side == no_side ||
+                 is_chosen(feature, fold_beyond_slivers(mesh, positions, feature), choice))) {
                 edges_.push_back({feature.side, line_kind(feature, choice), vertex(feature.side, 0),
                                   vertex(feature.side, 1)});
             }
         }
+        leave_out_lone_creases(mesh, positions, edges_);
     }
 
     FeatureChains run()
@@ -79,13 +85,6 @@ public:
     }
 
 private:
-    struct Edge {
-        uint32_t side = no_side;
-        uint32_t kind = shared::line_crease;
-        uint32_t from = 0; ///< vertex at the start of the edge; `to` is the vertex at the edge's end
-        uint32_t to = 0;
-    };
-
     [[nodiscard]] uint32_t vertex(uint32_t side, uint32_t step) const
     {
         return mesh_.triangles[side >> 2U][static_cast<int>(((side & 3U) + step) % 3)];
@@ -151,7 +150,7 @@ private:
         uint32_t last = end;
         while (end != no_end && !is_linked_[end / 2]) {
             is_linked_[end / 2] = true;
-            const Edge& edge = edges_[end / 2];
+            const LineEdge& edge = edges_[end / 2];
             result_.points.push_back({.vertex = vertex_at(end),
                                       .other_vertex = vertex_at(end),
                                       .share = 0.0F,
@@ -173,7 +172,7 @@ private:
     {
         std::vector<uint32_t> lined;
         lined.reserve(edges_.size());
-        for (const Edge& edge : edges_) {
+        for (const LineEdge& edge : edges_) {
             lined.push_back(edge.side);
         }
         std::sort(lined.begin(), lined.end());
@@ -186,7 +185,7 @@ private:
 
     const EdgeMesh& mesh_;
     std::span<const glm::vec3> positions_;
-    std::vector<Edge> edges_;
+    std::vector<LineEdge> edges_;
     std::vector<uint32_t> partner_; ///< for each end of an edge: the end with which it is paired
     std::vector<bool> is_linked_;   ///< for each edge: whether the edge already belongs to a chain
     FeatureChains result_;

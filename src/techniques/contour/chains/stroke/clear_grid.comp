@@ -13,15 +13,23 @@ layout(local_size_x = 64) in;
 #define GRID_ACCESS writeonly
 #include "techniques/contour/chains/stroke/sample_grid.glsl"
 
+layout(scalar, binding = 1) writeonly buffer ShellLines
+{
+    uint has_long_line[]; // for each shell (connected surface): 1 if a stroke of it has the least length
+};
+
 layout(push_constant, scalar) uniform Constants
 {
-    uint cell_count;
+    uvec2 counts; // number of grid cells, and of shells
 };
 
 void main()
 {
     uint index = item_index();
-    if (index < cell_count) {
+    if (index < counts.x) {
         grid[index] = uvec2(no_sample, 0u);
+    }
+    if (index < counts.y) {
+        has_long_line[index] = 0u;
     }
 }

@@ -31,9 +31,22 @@ layout(scalar, binding = 4) buffer Strokes
     Stroke strokes[];
 };
 
+layout(binding = 5) uniform usamplerBuffer neighbor_texels;
+
+#define FACING_BINDING 6
+#include "techniques/contour/chains/extract/facing.glsl"
+#include "techniques/contour/chains/stroke/kind_now.glsl"
+#include "techniques/contour/chains/stroke/meetings.glsl"
+#include "techniques/contour/chains/stroke/stroke_places.glsl"
+
+layout(scalar, binding = 7) readonly buffer ShellLines
+{
+    uint has_long_line[]; // for each shell (connected surface): 1 if a stroke of it has the least length
+};
+
 layout(push_constant, scalar) uniform Constants
 {
-    uvec2 size_px;
+    DropConstants constants;
 };
 
 const float beside_px = 4.0;
@@ -46,6 +59,8 @@ const uint most_steps = 10u;
 const uint least_page_steps = 3u;
 // Largest share of a kept stroke's samples that may lie beside a second stroke.
 const float most_share = 0.5;
+// The area that an outline must hide behind it, on the page: a multiple of the shortest stroke's square.
+const float least_area = 0.5;
 
 // Whether a place lies beside the stroke `stroke` of the sample `other`: not before the stroke's start or
 // after its end.
@@ -66,9 +81,9 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
 {
     vec2 here = sample_at(index).page_px;
     bool is_there = false;
-    Cells around = cells_around(here, size_px);
+    Cells around = cells_around(here, constants.size_px);
     for (ivec2 cell = around.low; !is_there && cell.y <= around.high.y; cell = next_cell(cell, around)) {
-        uvec2 found = grid[cell_index(cell, size_px)];
+        uvec2 found = grid[cell_index(cell, constants.size_px)];
         for (int k = 0; k < 2; ++k) {
             uint other = found.y == 0u ? index : k == 0 ? found.x : found.y - 1u;
             uint stroke = strokes_before(other + 1u) - 1u;
@@ -83,7 +98,39 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
     return is_there;
 }
 
-shared uint beside[64]; // for each stroke: how many of the stroke's samples lie beside a second stroke
+// Whether a stroke is too short to say anything. Short strokes are kept where they close a gap in an outline
+// before something far behind. The outline of a small thing that has no longer line is kept if it is whole.
+bool is_scrap(Stroke stroke, float step_mm)
+{
+    if (whole_length(stroke.first, stroke) >= constants.shortest_px) {
+        return false;
+    }
+    uint middle = sample_at(middle_of(stroke)).source;
+    uint kind = kind_now(middle);
+    bool is_outline = (kind == line_silhouette && !is_shaded_over(middle)) || kind == line_border;
+    if (!is_outline) {
+        return true;
+    }
+    bool is_ring = (sample_at(stroke.first).state & sample_in_ring) != 0u;
+    bool is_linked = middle >> 28 == line_silhouette;
+    bool is_only = has_long_line[shell_of_line(middle)] == 0u;
+    bool is_before_far = step_mm * constants.pixels_per_mm >= constants.shortest_px;
+    return !(is_only && is_ring) &&
+           (is_linked || !is_before_far || !meets_line(stroke, stroke.first, constants.size_px, true) ||
+            !meets_line(stroke, stroke.last, constants.size_px, true));
+}
+
+// Whether the outline of a smooth surface hides next to nothing: a bump of a rough surface, not a form.
+bool is_bump(Stroke stroke, float step_mm)
+{
+    float length_px = whole_length(stroke.first, stroke);
+    float area_px = length_px * step_mm * constants.pixels_per_mm;
+    return sample_at(middle_of(stroke)).source >> 28 == line_silhouette &&
+           area_px < least_area * constants.shortest_px * constants.shortest_px;
+}
+
+shared uint steps_behind[64]; // for each stroke: sum of the steps in depth at its looked-at samples
+shared uint beside[64];       // for each stroke: how many of the stroke's samples lie beside a second stroke
 
 void main()
 {
@@ -97,16 +144,21 @@ void main()
     uint turn = gl_LocalInvocationID.x % threads;
     if (turn == 0u) {
         beside[lane] = 0u;
+        steps_behind[lane] = 0u;
     }
     barrier();
     uint found = 0u;
+    uint behind = 0u;
     for (uint i = turn; is_stroke && i <= sample_steps; i += threads) {
         uint at = first + (of_page ? steps * i / max(sample_steps, 1u) : i);
         found += is_beside_longer(at, own, steps, of_page) ? 1u : 0u;
+        uint across = first + steps * i / max(sample_steps, 1u);
+        behind += sample_at(across).state >> sample_step_shift & sample_step_most;
     }
     if (found > 0u) {
         atomicAdd(beside[lane], found);
     }
+    atomicAdd(steps_behind[lane], behind);
     barrier();
     if (!is_stroke || turn != 0u) {
         return;
@@ -114,6 +166,8 @@ void main()
     bool is_dropped =
         (steps <= most_steps || of_page) && float(beside[lane]) > most_share * float(sample_steps + 1u);
     is_dropped = is_dropped || (of_page && steps < least_page_steps);
+    float step_mm = float(steps_behind[lane]) / (sample_steps_a_mm * float(sample_steps + 1u));
+    is_dropped = is_dropped || is_scrap(strokes[own], step_mm) || is_bump(strokes[own], step_mm);
     strokes[own].ends = is_dropped ? stroke_is_dropped : 0u;
     strokes[own].recalled = no_sample;
     strokes[own].offset_sum = 0;

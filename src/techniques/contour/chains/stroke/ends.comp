@@ -33,35 +33,7 @@ layout(push_constant, scalar) uniform Constants
     uvec2 size_px;
 };
 
-const float meeting_px = 5.0;
-// A distant part of a stroke counts as a separate line from the stroke's end on if it is more than far_along
-// samples away.
-const uint far_along = 8u;
-
-bool is_dropped(uint other)
-{
-    return (strokes[strokes_before(other + 1u) - 1u].ends & stroke_is_dropped) != 0u;
-}
-
-bool meets_line(Stroke stroke, uint end)
-{
-    vec2 here = sample_at(end).page_px;
-    bool meets = false;
-    Cells around = cells_around(here, size_px);
-    for (ivec2 cell = around.low; cell.y <= around.high.y; cell = next_cell(cell, around)) {
-        uvec2 found = grid[cell_index(cell, size_px)];
-        for (int k = 0; k < 2; ++k) {
-            uint other = k == 0 ? found.x : found.y - 1u;
-            bool is_there = found.y != 0u;
-            other = is_there ? other : end;
-            bool is_own = other >= stroke.first && other <= stroke.last;
-            uint apart = other > end ? other - end : end - other;
-            meets = meets || (is_there && !is_dropped(other) && (!is_own || apart > far_along) &&
-                              size_of(sample_at(other).page_px - here) < meeting_px);
-        }
-    }
-    return meets;
-}
+#include "techniques/contour/chains/stroke/meetings.glsl"
 
 void main()
 {
@@ -71,7 +43,7 @@ void main()
         return;
     }
     Stroke stroke = strokes[index];
-    if (meets_line(stroke, is_start ? stroke.first : stroke.last)) {
+    if (meets_line(stroke, is_start ? stroke.first : stroke.last, size_px, false)) {
         atomicOr(strokes[index].ends, is_start ? stroke_starts_at_line : stroke_ends_at_line);
     }
 }

@@ -53,5 +53,28 @@ TEST(JoinPaths, WhatLiesAllAroundOrDiffersStaysApart)
     EXPECT_EQ(join_paths({straight({0, 0}, {40, 0}), other}).size(), 2U);
 }
 
+TEST(JoinPaths, WithRoundedCornersALineGoesStraightOn)
+{
+    const std::vector<LinePath> joined = join_paths({straight({-40, 0}, {0, 0}), straight({0, 0}, {0, 40}),
+                                                     straight({0, 0}, {40, 10}), straight({0, -40}, {0, 0})},
+                                                    rounded_corners);
+    ASSERT_EQ(joined.size(), 2U);
+    for (const LinePath& path : joined) {
+        EXPECT_EQ(path.points.size(), 9U);
+        EXPECT_GT(glm::distance(path.points.front().page_px, path.points.back().page_px), 79.0F);
+    }
+}
+
+TEST(JoinPaths, WithRoundedCornersOnlyLinesOfOneKindAreJoined)
+{
+    LinePath crease = straight({0, 0}, {40, 0});
+    crease.kind = shared::line_crease;
+    EXPECT_EQ(join_paths({straight({-40, 0}, {0, 0}), crease}, rounded_corners).size(), 2U);
+    EXPECT_EQ(join_paths({straight({-40, 0}, {0, 0}), crease}).size(), 1U);
+    const LinePath finer = straight({0, 0}, {40, 0}, 1.5F);
+    EXPECT_EQ(join_paths({straight({-40, 0}, {0, 0}), finer}, rounded_corners).size(), 1U);
+    EXPECT_EQ(join_paths({straight({-40, 0}, {0, 0}), finer}).size(), 2U);
+}
+
 } // namespace
 } // namespace estampe::contour

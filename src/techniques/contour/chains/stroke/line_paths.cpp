@@ -166,13 +166,15 @@ namespace {
 // joints.comp.
 constexpr float one_place_px = 1.5F;
 constexpr float cell_px = 4.0F;
+// Angle of 130 degrees between two lines at a place: with a greater angle, one goes straight on as the other.
+constexpr float least_straight_rad = 2.27F;
 
 /// Number of an end of a path: the path with number i starts at end 2 i and finishes at end 2 i + 1.
 using EndNumber = size_t;
 
 class Joiner {
 public:
-    explicit Joiner(std::vector<LinePath> paths) : paths_(std::move(paths))
+    Joiner(std::vector<LinePath> paths, const JoinRule& rule) : paths_(std::move(paths)), rule_(rule)
     {
         for (size_t i = 0; i < paths_.size(); ++i) {
             if (!paths_[i].is_closed && !paths_[i].is_hidden && paths_[i].points.size() > 2) {
@@ -234,14 +236,17 @@ private:
                             : points[points.size() - 2].page_px - points.back().page_px;
     }
 
-    /// Among the ends at the place of `own`, finds the end that, together with `own`, encloses all ends at
-    /// the place. Finds none if lines leave in all directions.
     [[nodiscard]] std::optional<EndNumber> partner_of(EndNumber own) const
     {
-        std::optional<EndNumber> left;
-        std::optional<EndNumber> right;
-        float left_rad = 0.0F;
-        float right_rad = 0.0F;
+        const std::optional<EndNumber> ahead = rule_.goes_straight_on ? straight_ahead_of(own) : std::nullopt;
+        return ahead ? ahead : enclosing_partner_of(own);
+    }
+
+    /// Calls `take(other, angle)` for all ends of other paths at the place of `own`. The angle is that from
+    /// the path of `own` to the other path.
+    template <class Take>
+    void visit_ends_at(EndNumber own, const Take& take) const
+    {
         const glm::vec2 way = inwards(own);
         const Cell middle = cell_of(point(own).page_px);
         for (int i = 0; i < 9; ++i) {
@@ -249,21 +254,46 @@ private:
                 ends_.equal_range({middle.first + i % 3 - 1, middle.second + i / 3 - 1});
             for (auto it = first; it != last; ++it) {
                 const EndNumber other = it->second;
-                if (other / 2 == own / 2 ||
-                    glm::distance(point(other).page_px, point(own).page_px) > one_place_px) {
-                    continue;
-                }
-                const glm::vec2 there = inwards(other);
-                const float angle = std::atan2(way.x * there.y - way.y * there.x, glm::dot(way, there));
-                if (angle > left_rad) {
-                    left = other;
-                    left_rad = angle;
-                } else if (angle < right_rad) {
-                    right = other;
-                    right_rad = angle;
+                if (other / 2 != own / 2 &&
+                    glm::distance(point(other).page_px, point(own).page_px) <= one_place_px) {
+                    const glm::vec2 there = inwards(other);
+                    take(other, std::atan2(way.x * there.y - way.y * there.x, glm::dot(way, there)));
                 }
             }
         }
+    }
+
+    /// The end with which the line goes on most nearly straight.
+    [[nodiscard]] std::optional<EndNumber> straight_ahead_of(EndNumber own) const
+    {
+        std::optional<EndNumber> straightest;
+        float most_rad = least_straight_rad;
+        visit_ends_at(own, [&](EndNumber other, float angle) {
+            if (std::abs(angle) > most_rad && goes_with(own, other)) {
+                straightest = other;
+                most_rad = std::abs(angle);
+            }
+        });
+        return straightest;
+    }
+
+    /// Among the ends at the place of `own`, finds the end that, together with `own`, encloses all ends at
+    /// the place. Finds none if lines leave in all directions.
+    [[nodiscard]] std::optional<EndNumber> enclosing_partner_of(EndNumber own) const
+    {
+        std::optional<EndNumber> left;
+        std::optional<EndNumber> right;
+        float left_rad = 0.0F;
+        float right_rad = 0.0F;
+        visit_ends_at(own, [&](EndNumber other, float angle) {
+            if (angle > left_rad) {
+                left = other;
+                left_rad = angle;
+            } else if (angle < right_rad) {
+                right = other;
+                right_rad = angle;
+            }
+        });
         const std::optional<EndNumber> partner = left && right ? std::nullopt : left ? left : right;
         return partner && goes_with(own, *partner) ? partner : std::nullopt;
     }
@@ -271,8 +301,9 @@ private:
     [[nodiscard]] bool goes_with(EndNumber a, EndNumber b) const
     {
         const float wider_px = std::max(point(a).width_px, point(b).width_px);
-        return paths_[a / 2].ink == paths_[b / 2].ink &&
-               std::abs(point(a).width_px - point(b).width_px) <= 0.1F * wider_px;
+        const bool is_one_kind = paths_[a / 2].kind == paths_[b / 2].kind;
+        return paths_[a / 2].ink == paths_[b / 2].ink && (is_one_kind || !rule_.only_one_kind) &&
+               std::abs(point(a).width_px - point(b).width_px) <= rule_.most_width_change * wider_px;
     }
 
     /// Joins all paths that follow each other, from the free end `start` on.
@@ -307,6 +338,7 @@ private:
     }
 
     std::vector<LinePath> paths_;
+    JoinRule rule_;
     std::multimap<Cell, EndNumber> ends_;
     std::vector<std::optional<EndNumber>> partners_;
     std::vector<bool> is_taken_;
@@ -314,9 +346,9 @@ private:
 
 } // namespace
 
-std::vector<LinePath> join_paths(std::vector<LinePath> paths)
+std::vector<LinePath> join_paths(std::vector<LinePath> paths, const JoinRule& rule)
 {
-    return Joiner(std::move(paths)).join();
+    return Joiner(std::move(paths), rule).join();
 }
 
 } // namespace estampe::contour

@@ -51,10 +51,24 @@ using LineWidths = std::array<float, shared::line_kind_count>;
 [[nodiscard]] std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
                                                const std::optional<LineWidths>& hidden_widths_px);
 
-/// Joins paths that end in a common corner, so that the corner can be mitred as in pictures. Among all ends
-/// at one place, joints.comp and join_paths() join the two ends that enclose all ends at the place. The two
-/// paths must have equal ink, and widths that differ by less than a tenth. If joining closes a path, the path
+/// Which paths join_paths() joins. All paths that are joined have equal ink.
+struct JoinRule {
+    float most_width_change = 0.1F; ///< largest difference of widths, as a share of the greater width
+    bool only_one_kind = false;     ///< both paths must be of one kind of line
+    /// A line goes on as the line at its end that bends least, if that bends by no more than 50 degrees.
+    bool goes_straight_on = false;
+};
+
+/// Corners of which the pen makes one mitred stroke, as joints.comp draws them.
+constexpr JoinRule mitred_corners{};
+/// Corners that the pen rounds on its way: an outline stays one stroke, whatever its width does.
+constexpr JoinRule rounded_corners{
+    .most_width_change = 0.5F, .only_one_kind = true, .goes_straight_on = true};
+
+/// Joins paths that end in a common corner into one stroke. Among all ends at one place, joints.comp and
+/// join_paths() join the two ends that enclose all ends at the place. If joining closes a path, the path
 /// starts in the middle of a stroke. Cost: n log n in the number n of paths.
-[[nodiscard]] std::vector<LinePath> join_paths(std::vector<LinePath> paths);
+[[nodiscard]] std::vector<LinePath> join_paths(std::vector<LinePath> paths,
+                                               const JoinRule& rule = mitred_corners);
 
 } // namespace estampe::contour

@@ -98,22 +98,16 @@ const bool stretches = (variant & shape_stretches) != 0u;
 const bool has_variants = (variant & shape_has_variants) != 0u;
 const bool has_inks_by_kind = (variant & shape_has_inks_by_kind) != 0u;
 
+#include "techniques/contour/chains/stroke/kind_now.glsl"
 #include "techniques/contour/chains/stroke/stroke_places.glsl"
 
 // Width that lines have in the middle of a stroke.
 
-// The kind of a line in the current view: a fold or boundary counts as an outline if the surface behind it
-// faces away from the eye.
-uint kind_now(uint source)
-{
-    uint kind = source >> 28;
-    uint side = source & 0x0fffffffu;
-    if (kind == line_silhouette || kind == line_border || (side & 3u) == 3u) {
-        return kind;
-    }
-    uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
-    return beyond != no_side && is_front(side >> 2) != is_front(beyond >> 2) ? line_silhouette : kind;
-}
+const float touching_mm = 0.25; // step in depth on the page below which two surfaces touch
+const float near_step_mm = 1.0;
+const float far_step_mm = 16.0;
+const float light_weight = 0.7;
+const float heavy_weight = 1.3;
 
 float thinning_at(vec3 anchor)
 {
@@ -132,6 +126,25 @@ uint style_variant_of(uint source)
     return texelFetch(variant_texels, int(drawn_by(source))).x;
 }
 
+// How much wider an outline is drawn because of what it says: most where something near passes before
+// something far, and where an edge touches what lies behind it, as at the foot of a box.
+float weight_at(uint index)
+{
+    LineSample point = sample_at(index);
+    uint kind = kind_now(point.source);
+    if (kind != line_silhouette && kind != line_border) {
+        return 1.0;
+    }
+    float step_mm = depth_step_mm(point.state);
+    bool is_edge = (point.source & 3u) != 3u;
+    float touch = is_edge ? 1.0 - smoothstep(0.5 * touching_mm, touching_mm, step_mm) : 0.0;
+    float far = log2(max(step_mm, near_step_mm) / near_step_mm) / log2(far_step_mm / near_step_mm);
+    float most = max(touch, min(far, 1.0));
+    return mix(1.0, mix(light_weight, heavy_weight, most), constants.rank);
+}
+
+// Full width of a line at a sample, before pressure and thinning. Widths in metres are exact, so the weight
+// of a line leaves them alone.
 float width_at(uint index)
 {
     LineSample point = sample_at(index);
@@ -147,9 +160,9 @@ float width_at(uint index)
     if (has_widths_m && in_metres) {
         // Perspective already makes a width in metres smaller at a distance. The division cancels the
         // thinning by distance that is applied later.
-        width /= pixel_size_m(frame, point.anchor) * thinning_at(point.anchor);
+        return width / (pixel_size_m(frame, point.anchor) * thinning_at(point.anchor));
     }
-    return width;
+    return width * weight_at(index);
 }
 
 // Mean width over a few samples of the stroke: the kind of line may change from edge to edge, but the line's
@@ -322,10 +335,16 @@ float stretched_phase(uint index, Stroke stroke, uint seed)
     return clamp(phase, least_pace * arc, whole - least_pace * (whole - arc));
 }
 
+// The kind of line whose brush draws a sample, or brush_hidden.
+uint brush_use(uint index)
+{
+    return is_hidden ? brush_hidden : kind_now(sample_at(index).source);
+}
+
 LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
 {
     bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
-    uint uses = is_hidden ? brush_hidden : kind_now(sample_at(index).source);
+    uint uses = brush_use(index);
     uses |= index == stroke.first && !is_ring ? touch_is_start : 0u;
     uses |= index == stroke.last && !is_ring ? touch_is_end : 0u;
     return LineTouch(phase_px, arc_from_start(index, stroke), whole_length(index, stroke), packHalf2x16(way),
@@ -425,17 +444,29 @@ float stray_width(uint index, Stroke stroke, uint seed)
 }
 
 // Factor on the width of a stroke at a sample: strokes taper towards free ends, over at most one third of the
-// stroke's length.
-float taper_at(uint index, Stroke stroke)
+// stroke's length. An end at another line is blunt, because a pen's line runs into the other line; a brush is
+// set down there, and leaves a round end.
+float taper_at(uint index, Stroke stroke, float full_px)
 {
+    if ((sample_at(index).state & sample_in_ring) != 0u) {
+        return 1.0;
+    }
     float whole = whole_length(index, stroke);
-    float from = arc_from_start(index, stroke);
     float reach = min(constants.taper_px, whole / 3.0);
-    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
-    float from_start = (stroke.ends & stroke_starts_at_line) != 0u ? whole : from;
-    float to_end = (stroke.ends & stroke_ends_at_line) != 0u ? whole : whole - from;
-    float from_end = min(from_start, to_end);
-    return is_ring || reach <= 0.0 ? 1.0 : smoothstep(0.0, 1.0, (from_end + 0.25 * reach) / (1.25 * reach));
+    float from_start = arc_from_start(index, stroke);
+    vec2 from_ends = vec2(from_start, whole - from_start);
+    bvec2 is_at_line =
+        bvec2((stroke.ends & stroke_starts_at_line) != 0u, (stroke.ends & stroke_ends_at_line) != 0u);
+    vec2 tapers = reach > 0.0 ? smoothstep(vec2(0.0), vec2(1.0), (from_ends + 0.25 * reach) / (1.25 * reach))
+                              : vec2(1.0);
+    vec2 blunt = vec2(1.0);
+    bool has_brush = has_brushes && (constants.brush_uses >> brush_use(index) & 1u) != 0u;
+    if (has_brush) {
+        vec2 to_round = 1.0 - min((from_ends + 0.1 * full_px) / max(0.7 * full_px, 1e-3), 1.0);
+        blunt = sqrt(1.0 - to_round * to_round);
+    }
+    vec2 share = mix(tapers, blunt, is_at_line);
+    return min(share.x, share.y);
 }
 
 // Position of the pen on the page at a sample, including overshoot and wobble.
@@ -478,7 +509,7 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
     uint ink;
     float full = full_width(index, stroke, ink);
     bool is_dropped = (stroke.ends & stroke_is_dropped) != 0u;
-    float half_width = is_dropped ? 0.0 : 0.5 * full * taper_at(index, stroke);
+    float half_width = is_dropped ? 0.0 : 0.5 * full * taper_at(index, stroke, full);
     uint seed = hash(constants.seed, sample_at(stroke.first).source) >> 1;
     float arc_px = arc_from_start(index, stroke);
     if (recalls_frame) {

@@ -69,7 +69,8 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
     const gpu::BufferId states =
         settle.write(graph.buffer("contour/states", list_of(samples_most, sizeof(uint32_t))));
     const gpu::BufferId rotation = settle.modify(no_rotation);
-    settle.dispatch_indirect(divided.sizes, per_sample);
+    settle.push(shared::SettleConstants{.shortest_px = in.shortest_px, .widest_gap_px = in.widest_gap_px})
+        .dispatch_indirect(divided.sizes, per_sample);
 
     return {.sizes = divided.sizes,
             .lengths_before = lengths.before,
@@ -78,41 +79,53 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
             .samples = samples,
             .states = states,
             .rotation = rotation,
+            .facing = chains.facing,
             .execution = in.execution};
 }
 
 namespace {
 
-/// Enters samples into the sample grid, drops strokes that run beside a longer stroke, and finds the stroke
-/// ends that meet further lines.
-ChainStrokes find_ends(gpu::Graph& graph, ChainStrokes strokes, glm::uvec2 size_px)
+/// Enters samples into the sample grid, drops scraps and strokes that run beside a longer stroke, and finds
+/// the stroke ends that meet further lines.
+ChainStrokes find_ends(gpu::Graph& graph, const ChainInputs& in, const ChainSamples& chains,
+                       ChainStrokes strokes)
 {
-    const uint32_t cells = grid_cell_count(size_px);
+    const uint32_t cells = grid_cell_count(in.size_px);
+    const shared::DropConstants constants{
+        .size_px = in.size_px, .shortest_px = in.shortest_px, .pixels_per_mm = in.pixels_per_mm};
     auto clear = graph.compute("contour/clear grid", shaders::clear_grid_comp);
     strokes.grid = clear.write(strokes.grid);
-    clear.push(cells).dispatch_items(cells);
+    gpu::BufferId shell_lines =
+        clear.write(graph.buffer("contour/lines of shells", list_of(in.shell_count + 1, sizeof(uint32_t))));
+    clear.push(glm::uvec2(cells, in.shell_count + 1)).dispatch_items(std::max(cells, in.shell_count + 1));
     auto fill = graph.compute("contour/fill grid", shaders::fill_grid_comp);
     fill.read(strokes.sizes).sample(strokes.samples);
     strokes.grid = fill.modify(strokes.grid);
-    fill.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
-    const auto ask_strokes = [&](const char* name, const gpu::Shader& shader) {
-        auto pass = graph.compute(name, shader);
+    fill.sample(strokes.strokes_before, gpu::Format::r32ui).read(strokes.strokes).sample(in.neighbors);
+    fill.sample(chains.facing, gpu::Format::r32ui);
+    shell_lines = fill.modify(shell_lines);
+    fill.push(constants).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+    const auto ask_strokes = [&](gpu::Pass& pass) {
         pass.read(strokes.sizes).sample(strokes.samples).read(strokes.grid);
         pass.sample(strokes.strokes_before, gpu::Format::r32ui);
         strokes.strokes = pass.modify(strokes.strokes);
-        pass.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
     };
-    ask_strokes("contour/drop", shaders::drop_comp);
-    ask_strokes("contour/ends", shaders::ends_comp);
+    auto drop = graph.compute("contour/drop", shaders::drop_comp);
+    ask_strokes(drop);
+    drop.sample(in.neighbors).sample(chains.facing, gpu::Format::r32ui).read(shell_lines);
+    drop.push(constants).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
+    auto ends = graph.compute("contour/ends", shaders::ends_comp);
+    ask_strokes(ends);
+    ends.push(in.size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
     return strokes;
 }
 
 } // namespace
 
-ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid, glm::uvec2 size_px,
-                         LineClass wanted)
+ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& lines, const ChainSamples& in,
+                         gpu::BufferId grid, LineClass wanted)
 {
-    const uint32_t samples_most = sample_capacity(size_px);
+    const uint32_t samples_most = sample_capacity(lines.size_px);
     const uint64_t per_sample = indirect_offset(shared::list_samples);
     auto split = graph.compute("contour/split", shaders::split_comp);
     split.read(in.sizes).sample(in.samples_before, gpu::Format::r32ui);
@@ -138,14 +151,13 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferI
     const gpu::BufferId strokes =
         bounds.write(graph.buffer("contour/strokes", list_of(samples_most, sizeof(shared::Stroke))));
     bounds.dispatch_indirect(started.sizes, per_sample);
-    return find_ends(graph,
+    return find_ends(graph, lines, in,
                      {.sizes = started.sizes,
                       .samples = cut,
                       .samples_before = in.samples_before,
                       .strokes_before = started.before,
                       .strokes = strokes,
-                      .grid = grid},
-                     size_px);
+                      .grid = grid});
 }
 
 namespace {
@@ -264,7 +276,11 @@ shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle
                                      .retrace_px = style.retrace_mm * pixels_per_mm,
                                      .jitter_ends_px = style.jitter_ends_mm * pixels_per_mm,
                                      .jitter_offset_px = style.jitter_offset_mm * pixels_per_mm,
-                                     .jitter_width = style.jitter_width};
+                                     .jitter_width = style.jitter_width,
+                                     .rank = in.lines == LineClass::hidden ? 0.0F : style.rank};
+    for (uint32_t use = 0; in.page.brushes != nullptr && use < shared::brush_use_count; ++use) {
+        constants.brush_uses |= in.page.brushes->layer_of_use.at(use) ? 1U << use : 0U;
+    }
     set_widths(in, style, constants);
     if (in.lines == LineClass::hidden) {
         constants.taper_px = constants.overshoot_px = constants.pressure = 0.0F;
@@ -310,7 +326,7 @@ add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh,
         history != nullptr
             ? gpu::import_whole(graph, "grid now", history->now(lines).grid)
             : graph.buffer("contour/grid", list_of(grid_cell_count(page.size_px), sizeof(glm::uvec2)));
-    ChainStrokes strokes = add_strokes(graph, samples, grid, page.size_px, lines);
+    ChainStrokes strokes = add_strokes(graph, mesh, samples, grid, lines);
     const bool recalls_frame = history != nullptr && history->holds_frame(lines);
     const gpu::BufferId recalls =
         recalls_frame ? add_recall(graph, strokes, *history, page, style, lines) : strokes.strokes_before;

@@ -51,6 +51,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float outside_px = 0.75;
+const float beyond_px = 3.0; // distance from the line at which the surface behind the line is looked at
 const float tolerance_px = 0.05;
 
 // Finds the chain point before the place with the arc length `length`. Returns the last point before the
@@ -74,6 +75,7 @@ struct Cover {
     bool is_over; // seen from the eye, the tested point lies within the outline of the triangle
     // The triangle's plane, limited to the triangle's range of depth, lies in front of the tested point.
     bool hides;
+    float behind_m; // depth of that plane behind the tested point
 };
 
 Cover cover_of(uint triangle, vec3 point, float tolerance_m)
@@ -95,7 +97,8 @@ Cover cover_of(uint triangle, vec3 point, float tolerance_m)
     float nearest = min(depths.x, min(depths.y, depths.z));
     float farthest = max(depths.x, max(depths.y, depths.z));
     bool is_beside = !is_parallel && crossing < 0.0;
-    return Cover(is_over, !is_beside && clamp(crossing, nearest, farthest) < scale - tolerance_m);
+    float behind_m = clamp(crossing, nearest, farthest) - scale;
+    return Cover(is_over, !is_beside && behind_m < -tolerance_m, behind_m);
 }
 
 // Whether a point is visible. Among the triangles seen around the point, a triangle that covers the point
@@ -124,6 +127,22 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
         pixel = next_cell(pixel, around);
     } while (pixel.y <= around.high.y);
     return !is_covered && (is_free || hiding < 0);
+}
+
+// How far behind a line the surface lies that is seen beside the line, on the side to which the normal
+// points, as the bits of LineSample::state.
+uint depth_step_of(vec3 anchor, vec3 normal, vec2 page_px)
+{
+    float pixel_m = pixel_size_m(frame, anchor);
+    vec2 way = page_position(frame.clip_from_anchor * vec4(anchor + normal * pixel_m, 1.0)) - page_px;
+    vec2 beyond = page_px + beyond_px * way * inversesqrt(max(dot(way, way), 1e-20));
+    ivec2 pixel = clamp(ivec2(floor(beyond)), ivec2(0), ivec2(frame.size_px) - 1);
+    uvec2 word = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
+    if (!sees_triangle(word)) {
+        return sample_step_most << sample_step_shift;
+    }
+    float behind_mm = cover_of(seen_triangle(word), anchor, 0.0).behind_m / (pixel_m * frame.pixels_per_mm);
+    return uint(clamp(sample_steps_a_mm * behind_mm, 0.0, float(sample_step_most))) << sample_step_shift;
 }
 
 void main()
@@ -158,7 +177,7 @@ void main()
                                 (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, own)))
                      ? sample_is_visible
                      : 0u;
-    state |= is_on_page ? 0u : sample_is_off_page;
+    state |= is_on_page ? depth_step_of(anchor, normal, page_px) : sample_is_off_page;
     float spacing_px = float(whole) / (length_unit_px * float(steps));
     samples[index] = LineSample(anchor, pack_normal(normal), page_px, from.source,
                                 state | packHalf2x16(vec2(0.0, spacing_px)));

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+// Lines as a hand draws them: no strokes where the shape has none, and whole strokes where it has one. The
+// shapes are those on which lines of a mesh go wrong: normals that do not fit, folds of single triangles,
+// scans with noise.
+#include <estampe/renderer.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <tuple>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <estampe/shapes.hpp>
+
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr float page_height_mm = 210.0F;
+constexpr RenderSettings page{.width = 1188, .height = 840}; // four pixels to a millimetre
+constexpr float pen_mm = 0.58F;
+constexpr float shortest_mm = 1.5F;
+
+Style lines_only(const std::vector<std::string>& assignments = {})
+{
+    Style style;
+    for (const char* assignment : {"hatch.enabled=false", "picture.ground=false", "paper.height_mm=210",
+                                   "paper.margin_mm=0", "sky.enabled=false"}) {
+        style.set(assignment);
+    }
+    for (const std::string& assignment : assignments) {
+        style.set(assignment);
+    }
+    return style;
+}
+
+std::vector<VectorStroke> strokes_of(const Scene& scene, const Camera& camera,
+                                     const std::vector<std::string>& assignments = {})
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    return renderer.draw_strokes(camera, lines_only(assignments), page).strokes;
+}
+
+float length_mm(const VectorStroke& stroke)
+{
+    float length = 0.0F;
+    for (size_t i = 1; i < stroke.points.size(); ++i) {
+        length += glm::distance(stroke.points[i - 1].page_mm, stroke.points[i].page_mm);
+    }
+    return length;
+}
+
+/// Gives all vertices at one place the mean normal of the triangles there, weighted by area.
+void average_normals(Primitive& primitive)
+{
+    using Place = std::tuple<float, float, float>;
+    const auto place_of = [&](uint32_t v) {
+        const glm::vec3& p = primitive.positions[v];
+        return Place(p.x, p.y, p.z);
+    };
+    std::map<Place, glm::vec3> sums;
+    for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        const glm::vec3 a = primitive.positions[primitive.indices[i]];
+        const glm::vec3 normal = glm::cross(primitive.positions[primitive.indices[i + 1]] - a,
+                                            primitive.positions[primitive.indices[i + 2]] - a);
+        for (size_t k = 0; k < 3; ++k) {
+            sums[place_of(primitive.indices[i + k])] += normal;
+        }
+    }
+    primitive.normals.resize(primitive.positions.size());
+    for (uint32_t v = 0; v < primitive.positions.size(); ++v) {
+        primitive.normals[v] = glm::normalize(sums[place_of(v)]);
+    }
+}
+
+/// Where a camera sees a point, in millimetres on the page.
+glm::vec2 page_mm(const Camera& camera, const glm::dvec3& point)
+{
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::dvec3 way = point - camera.eye;
+    const double scale = 0.5 / (std::tan(0.5 * camera.vertical_fov_rad) * glm::dot(way, forward));
+    const double aspect = static_cast<double>(page.width) / page.height;
+    const glm::dvec2 share(0.5 * aspect + scale * glm::dot(way, right),
+                           0.5 - scale * glm::dot(way, glm::cross(right, forward)));
+    return glm::vec2(share) * page_height_mm;
+}
+
+float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b)
+{
+    const glm::vec2 way = b - a;
+    const float share = std::clamp(glm::dot(p - a, way) / glm::dot(way, way), 0.0F, 1.0F);
+    return glm::distance(p, a + share * way);
+}
+
+TEST(WholeLines, ABoxWithAveragedNormalsHasLinesAlongItsEdgesOnly)
+{
+    const Camera camera{.eye = {2.6, 2.1, 3.4}};
+    Primitive box = shapes::box({1.0F, 1.0F, 1.0F});
+    average_normals(box);
+    std::vector<std::pair<glm::vec2, glm::vec2>> edges;
+    for (int i = 0; i < 8; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto corner = [&](int bits) {
+                return page_mm(camera, {(bits & 1) - 0.5, (bits >> 1 & 1), (bits >> 2 & 1) - 0.5});
+            };
+            if ((i >> axis & 1) == 0) {
+                edges.emplace_back(corner(i), corner(i | 1 << axis));
+            }
+        }
+    }
+    const std::vector<VectorStroke> strokes = strokes_of(test::scene_of(box), camera);
+    float whole_mm = 0.0F;
+    for (const VectorStroke& stroke : strokes) {
+        whole_mm += length_mm(stroke);
+        for (const VectorPoint& point : stroke.points) {
+            float nearest_mm = 1e6F;
+            for (const auto& [from, to] : edges) {
+                nearest_mm = std::min(nearest_mm, distance_to_segment(point.page_mm, from, to));
+            }
+            EXPECT_LT(nearest_mm, pen_mm);
+        }
+    }
+    float seen_mm = 0.0F; // all edges but the three at the corner that is turned away
+    for (const auto& [from, to] : edges) {
+        const glm::vec2 hidden = page_mm(camera, {-0.5, 0.0, -0.5});
+        seen_mm += from == hidden || to == hidden ? 0.0F : glm::distance(from, to);
+    }
+    EXPECT_NEAR(whole_mm, seen_mm, 0.03F * seen_mm);
+}
+
+/// A quarter of a round bar between two walls at a right angle, in four strips of which two neighbouring
+/// triangles never lie in one plane: every second row of vertices is shifted, and the diagonals alternate.
+Primitive fillet()
+{
+    constexpr uint32_t columns = 24;
+    constexpr uint32_t strips = 4;
+    Primitive result;
+    const auto add = [&](double angle_deg, double away, double along) {
+        const double angle = glm::radians(angle_deg);
+        result.positions.emplace_back(along, std::sin(angle) * 0.3 + away * (angle_deg > 80.0 ? 0.0 : -1.0),
+                                      std::cos(angle) * 0.3 + away * (angle_deg > 80.0 ? -1.0 : 0.0));
+    };
+    for (uint32_t row = 0; row <= strips + 2; ++row) {
+        const bool is_wall = row == 0 || row == strips + 2;
+        const double angle_deg = 90.0 * (std::clamp(row, 1U, strips + 1U) - 1) / strips;
+        for (uint32_t i = 0; i <= columns; ++i) {
+            const double shift = row % 2 == 0 ? 0.35 : 0.0;
+            add(angle_deg, is_wall ? 1.0 : 0.0, 3.0 * (i + shift) / columns - 1.5);
+        }
+    }
+    for (uint32_t row = 0; row < strips + 2; ++row) {
+        for (uint32_t i = 0; i < columns; ++i) {
+            const uint32_t a = row * (columns + 1) + i;
+            const uint32_t c = a + columns + 1;
+            const bool turns = (i + row) % 2 == 0;
+            const std::array<uint32_t, 6> corners =
+                turns ? std::array{a, a + 1, c, a + 1, c + 1, c} : std::array{a, a + 1, c + 1, a, c + 1, c};
+            result.indices.insert(result.indices.end(), corners.begin(), corners.end());
+        }
+    }
+    average_normals(result);
+    return result;
+}
+
+TEST(WholeLines, AFilletWithAlternatingDiagonalsHasNoCreases)
+{
+    for (const char* angle : {"60", "34", "25"}) {
+        for (const VectorStroke& stroke : strokes_of(test::scene_of(fillet()), {.eye = {2.0, 3.0, 4.0}},
+                                                     {"contour.crease.angle_deg=" + std::string(angle)})) {
+            EXPECT_NE(stroke.kind, StrokeKind::crease) << angle << " degrees";
+            EXPECT_GT(length_mm(stroke), shortest_mm);
+        }
+    }
+}
+
+/// A sphere of triangles of much the same size: an octahedron of which each face is divided `parts` times
+/// along each side.
+Primitive even_sphere(int parts)
+{
+    Primitive sphere;
+    for (int face = 0; face < 8; ++face) {
+        const glm::vec3 signs((face & 1) != 0 ? -1 : 1, (face & 2) != 0 ? -1 : 1, (face & 4) != 0 ? -1 : 1);
+        const auto add = [&](int i, int k) {
+            sphere.indices.push_back(static_cast<uint32_t>(sphere.positions.size()));
+            sphere.positions.push_back(glm::normalize(signs * glm::vec3(i, k, parts - i - k)));
+        };
+        const bool turns = signs.x * signs.y * signs.z < 0.0F;
+        const auto add_triangle = [&](int i, int k, int step) {
+            add(i, k);
+            add(turns ? i : i + step, turns ? k + step : k);
+            add(turns ? i + step : i, turns ? k : k + step);
+        };
+        for (int i = 0; i < parts; ++i) {
+            for (int k = 0; k + i < parts; ++k) {
+                add_triangle(i, k, 1);
+                if (i + k + 1 < parts) {
+                    add_triangle(i + 1, k + 1, -1);
+                }
+            }
+        }
+    }
+    return sphere;
+}
+
+/// A sphere of which each vertex is moved along the normal by up to 0.3 of an edge, as a scanner moves it.
+Primitive noisy_sphere(uint32_t seed)
+{
+    constexpr int parts = 32;
+    constexpr float edge = 1.5707963F / parts;
+    Primitive sphere = even_sphere(parts);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> share(-0.3F, 0.3F);
+    std::map<std::tuple<int, int, int>, float> moves; // equal at equal places, up to rounding
+    for (glm::vec3& position : sphere.positions) {
+        const glm::ivec3 place(glm::round(1e4F * position));
+        const auto [move, is_new] = moves.try_emplace({place.x, place.y, place.z}, 0.0F);
+        if (is_new) {
+            move->second = share(random) * edge;
+        }
+        position = glm::vec3(place) / 1e4F * (1.0F + move->second);
+    }
+    average_normals(sphere);
+    return sphere;
+}
+
+TEST(WholeLines, AScanWithNoiseHasAnOutlineAndNothingWithin)
+{
+    const Camera camera{.eye = {0.0, 0.0, 5.0}};
+    const glm::vec2 middle = page_mm(camera, {0.0, 0.0, 0.0});
+    const float radius_mm = page_height_mm * 0.5F / (std::tan(0.3F) * std::sqrt(24.0F));
+    for (const uint32_t seed : {1U, 2U, 3U}) {
+        float outline_mm = 0.0F;
+        for (const VectorStroke& stroke : strokes_of(test::scene_of(noisy_sphere(seed)), camera)) {
+            EXPECT_EQ(stroke.kind, StrokeKind::outline);
+            outline_mm += length_mm(stroke);
+            for (const VectorPoint& point : stroke.points) {
+                EXPECT_NEAR(glm::distance(point.page_mm, middle), radius_mm, 0.05F * radius_mm);
+            }
+        }
+        EXPECT_GT(outline_mm, 0.85F * 6.28F * radius_mm);
+        EXPECT_LT(outline_mm, 1.3F * 6.28F * radius_mm);
+    }
+}
+
+/// The lines of a lying half pipe that is open at both ends, whose triangles face outwards or inwards.
+std::map<StrokeKind, float> lines_of_shell(bool faces_in)
+{
+    constexpr uint32_t segments = 24;
+    Primitive shell;
+    for (uint32_t i = 0; i <= segments; ++i) {
+        const float angle = 3.14159265F * static_cast<float>(i) / segments;
+        for (const float x : {-1.0F, 1.0F}) {
+            shell.normals.emplace_back(0.0F, std::sin(angle), std::cos(angle));
+            shell.positions.push_back(glm::vec3(x, 0.0F, 0.0F) + 0.6F * shell.normals.back());
+        }
+    }
+    for (uint32_t a = 0; a < 2 * segments; a += 2) {
+        shell.indices.insert(shell.indices.end(), {a, a + 2, a + 1, a + 1, a + 2, a + 3});
+    }
+    if (faces_in) {
+        for (size_t i = 0; i < shell.indices.size(); i += 3) {
+            std::swap(shell.indices[i], shell.indices[i + 1]);
+        }
+        for (glm::vec3& normal : shell.normals) {
+            normal = -normal;
+        }
+    }
+    Scene scene = test::scene_of(shell);
+    scene.materials.at(0).double_sided = true;
+    std::map<StrokeKind, float> sums;
+    for (const VectorStroke& stroke : strokes_of(scene, {.eye = {1.4, 1.1, 4.0}})) {
+        sums[stroke.kind] += length_mm(stroke);
+    }
+    return sums;
+}
+
+TEST(WholeLines, ASurfaceWhoseFrontLooksInwardsHasTheLinesOfOneThatLooksOutwards)
+{
+    const std::map<StrokeKind, float> outwards = lines_of_shell(false);
+    const std::map<StrokeKind, float> inwards = lines_of_shell(true);
+    EXPECT_GT(outwards.at(StrokeKind::outline), 80.0F); // the ridge of the roof, two metres at four metres
+    EXPECT_GT(outwards.at(StrokeKind::border), 150.0F);
+    ASSERT_EQ(inwards.size(), outwards.size());
+    for (const auto& [kind, sum_mm] : outwards) {
+        EXPECT_NEAR(inwards.at(kind), sum_mm, 0.02F * sum_mm);
+    }
+}
+
+/// A square board that leans towards the eye, behind posts that stand next to each other.
+std::vector<VectorStroke> board_behind_posts(float post_mm, float gap_mm)
+{
+    const Camera camera{.eye = {0.0, 0.0, 4.0}, .orthographic_half_height_m = 0.105}; // 1 mm is 1 mm
+    Scene scene = test::scene_of(shapes::quad(0.1F, 0.1F));
+    for (int i = 0; i < 5; ++i) {
+        const double x = 1e-3 * (static_cast<double>(post_mm) + static_cast<double>(gap_mm)) * (i - 2);
+        test::add_object(scene, shapes::quad(1e-3F * post_mm, 0.19F), glm::vec3(0.5F), {x, -0.05, 0.1});
+    }
+    return strokes_of(scene, camera);
+}
+
+/// The number of strokes that run along the upper edge of the board.
+int along_the_top(const std::vector<VectorStroke>& strokes)
+{
+    const glm::vec2 top(0.5F * page_height_mm * page.width / page.height, 0.5F * page_height_mm - 100.0F);
+    const auto is_on_top = [&](const VectorPoint& point) {
+        const glm::vec2 away = glm::abs(point.page_mm - top);
+        return away.y < 0.5F && away.x < 49.0F;
+    };
+    return static_cast<int>(std::ranges::count_if(strokes, [&](const VectorStroke& stroke) {
+        for (size_t i = 1; i < stroke.points.size(); ++i) {
+            const glm::vec2 way = stroke.points[i].page_mm - stroke.points[i - 1].page_mm;
+            if (is_on_top(stroke.points[i]) && std::abs(way.y) < 0.1F * std::abs(way.x)) {
+                return true;
+            }
+        }
+        return false;
+    }));
+}
+
+TEST(WholeLines, AGapNarrowerThanThePenDoesNotCutAStroke)
+{
+    EXPECT_EQ(along_the_top(board_behind_posts(0.4F, 8.0F)), 1);
+    EXPECT_EQ(along_the_top(board_behind_posts(2.0F, 8.0F)), 6);
+}
+
+TEST(WholeLines, APartThatIsShorterThanTheShortestStrokeIsNotDrawn)
+{
+    EXPECT_EQ(along_the_top(board_behind_posts(4.0F, 4.0F)), 6); // two long parts, four short ones
+    EXPECT_EQ(along_the_top(board_behind_posts(4.0F, 1.0F)), 2);
+}
+
+TEST(WholeLines, ASmallThingKeepsItsOnlyLine)
+{
+    const Camera camera{.eye = {0.0, 0.0, 4.0}, .orthographic_half_height_m = 0.105};
+    const std::vector<VectorStroke> strokes =
+        strokes_of(test::scene_of(shapes::sphere(2e-4F, 16, 8)), camera); // 1.3 mm around
+    ASSERT_EQ(strokes.size(), 1U);
+    EXPECT_TRUE(strokes[0].is_closed);
+    EXPECT_GT(length_mm(strokes[0]), 1.0F); // of a triangle in the circle, which three samples make
+}
+
+} // namespace
+} // namespace estampe
