@@ -386,7 +386,7 @@ struct ShapeConstants {
     float jitter_ends_px;
     float jitter_offset_px;
     float jitter_width;
-    float rank; // how much the widths of outlines differ by what the outlines say, 0 to 1
+    float rank;      // how much the widths of outlines differ by what the outlines say, 0 to 1
     uint brush_uses; // one bit per kind of line that has a brush other than the pen, and one for hidden lines
 };
 

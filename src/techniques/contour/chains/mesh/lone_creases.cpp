@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -135,9 +136,8 @@ public:
         list_ends();
         std::vector<bool> is_lone(edges_.size(), false);
         std::vector<bool> is_seen(edges_.size(), false);
-        for (size_t i = 0; i < ends_.size(); ++i) {
-            const uint32_t end = ends_[i].second;
-            const bool is_loose = count_at(ends_[i].first) == 1;
+        for (const auto& [point, end] : ends_) {
+            const bool is_loose = ends_at(point).size() == 1;
             if (is_loose && !is_seen[end / 2] && edges_[end / 2].kind == shared::line_crease) {
                 const std::vector<uint32_t> line = line_from(end);
                 for (const uint32_t part : line) {
@@ -180,12 +180,13 @@ private:
         std::ranges::sort(ends_);
     }
 
-    [[nodiscard]] auto ends_at(uint32_t point) const
+    /// The entries of `ends_` at a point.
+    [[nodiscard]] std::span<const std::pair<uint32_t, uint32_t>> ends_at(uint32_t point) const
     {
-        return std::ranges::equal_range(ends_, point, {}, &std::pair<uint32_t, uint32_t>::first);
+        const auto first = std::lower_bound(ends_.begin(), ends_.end(), std::pair(point, 0U));
+        const auto last = std::upper_bound(first, ends_.end(), std::pair(point, UINT32_MAX));
+        return {first, last};
     }
-
-    [[nodiscard]] size_t count_at(uint32_t point) const { return ends_at(point).size(); }
 
     /// The edges of creases from a loose end on, up to a point where the line ends or branches. Each edge is
     /// named by the end at which it is entered.
