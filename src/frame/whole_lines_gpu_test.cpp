@@ -295,7 +295,8 @@ TEST(WholeLines, ASurfaceWhoseFrontLooksInwardsHasTheLinesOfOneThatLooksOutwards
 }
 
 /// A square board that leans towards the eye, behind posts that stand next to each other.
-std::vector<VectorStroke> board_behind_posts(float post_mm, float gap_mm)
+std::vector<VectorStroke> board_behind_posts(float post_mm, float gap_mm,
+                                             const std::vector<std::string>& assignments = {})
 {
     const Camera camera{.eye = {0.0, 0.0, 4.0}, .orthographic_half_height_m = 0.105}; // 1 mm is 1 mm
     Scene scene = test::scene_of(shapes::quad(0.1F, 0.1F));
@@ -303,7 +304,7 @@ std::vector<VectorStroke> board_behind_posts(float post_mm, float gap_mm)
         const double x = 1e-3 * (static_cast<double>(post_mm) + static_cast<double>(gap_mm)) * (i - 2);
         test::add_object(scene, shapes::quad(1e-3F * post_mm, 0.19F), glm::vec3(0.5F), {x, -0.05, 0.1});
     }
-    return strokes_of(scene, camera);
+    return strokes_of(scene, camera, assignments);
 }
 
 /// The number of strokes that run along the upper edge of the board.
@@ -335,6 +336,22 @@ TEST(WholeLines, APartThatIsShorterThanTheShortestStrokeIsNotDrawn)
 {
     EXPECT_EQ(along_the_top(board_behind_posts(4.0F, 4.0F)), 6); // two long parts, four short ones
     EXPECT_EQ(along_the_top(board_behind_posts(4.0F, 1.0F)), 2);
+}
+
+TEST(WholeLines, WhatIsLeftOutIsNoHiddenLine)
+{
+    // Behind posts with gaps of 1.4 mm, the upper edge of the board is hidden or left out, but for its two
+    // ends.
+    const auto dashes_mm = [](float gap_mm) {
+        float sum_mm = 0.0F;
+        for (const VectorStroke& stroke : board_behind_posts(4.0F, gap_mm, {"contour.hidden.enabled=true"})) {
+            sum_mm += stroke.is_hidden ? length_mm(stroke) : 0.0F;
+        }
+        return sum_mm;
+    };
+    // Five posts hide 20 mm of both the upper edge and the lower edge of the board.
+    EXPECT_NEAR(dashes_mm(8.0F), 40.0F, 8.0F);
+    EXPECT_NEAR(dashes_mm(1.4F), 40.0F, 8.0F);
 }
 
 TEST(WholeLines, ASmallThingKeepsItsOnlyLine)

@@ -204,6 +204,10 @@ SHARED_CONSTANT uint sample_step_shift = 5U;
 SHARED_CONSTANT uint sample_step_most = 1023U;
 SHARED_CONSTANT float sample_steps_a_mm = 16.0F;
 
+// The sample is visible, but the line is left out there because its visible part is too short. So the sample
+// is not drawn as a hidden line either.
+SHARED_CONSTANT uint sample_is_left_out = 0x8000U;
+
 // A sample (a point on a chain). The samples of one chain are equally spaced.
 struct LineSample {
     vec3 anchor;

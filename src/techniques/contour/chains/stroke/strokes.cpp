@@ -88,11 +88,13 @@ namespace {
 /// Enters samples into the sample grid, drops scraps and strokes that run beside a longer stroke, and finds
 /// the stroke ends that meet further lines.
 ChainStrokes find_ends(gpu::Graph& graph, const ChainInputs& in, const ChainSamples& chains,
-                       ChainStrokes strokes)
+                       ChainStrokes strokes, LineClass lines)
 {
     const uint32_t cells = grid_cell_count(in.size_px);
-    const shared::DropConstants constants{
-        .size_px = in.size_px, .shortest_px = in.shortest_px, .pixels_per_mm = in.pixels_per_mm};
+    // Of hidden lines, none is a scrap: what they hide themselves is not known.
+    const shared::DropConstants constants{.size_px = in.size_px,
+                                          .shortest_px = lines == LineClass::seen ? in.shortest_px : 0.0F,
+                                          .pixels_per_mm = in.pixels_per_mm};
     auto clear = graph.compute("contour/clear grid", shaders::clear_grid_comp);
     strokes.grid = clear.write(strokes.grid);
     gpu::BufferId shell_lines =
@@ -157,7 +159,8 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& lines, const Chai
                       .samples_before = in.samples_before,
                       .strokes_before = started.before,
                       .strokes = strokes,
-                      .grid = grid});
+                      .grid = grid},
+                     wanted);
 }
 
 namespace {

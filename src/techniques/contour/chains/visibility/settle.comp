@@ -149,8 +149,9 @@ void main()
     int reach = samples_in(constants.shortest_px, spacing);
     // A chain that is too short for two strokes has no corners: a speck stays one ring.
     bool turns = !is_first && !is_last && 2 * reach <= int(chain.steps) && is_corner(chain, place, reach);
-    states[index] =
-        (before & ~sample_is_visible) | (is_seen ? sample_is_visible : 0u) | (turns ? sample_is_corner : 0u);
+    bool is_left_out = !is_seen && (before & sample_is_visible) != 0u;
+    states[index] = (before & ~sample_is_visible) | (is_seen ? sample_is_visible : 0u) |
+                    (turns ? sample_is_corner : 0u) | (is_left_out ? sample_is_left_out : 0u);
     if (chain.is_closed && uint(place) < chain.steps && (!is_seen || turns)) {
         atomicMin(rotation_of_slot[slot], uint(place) | (is_seen ? rotation_to_corner : 0u));
     }
