@@ -148,12 +148,15 @@ Primitive fillet()
         result.positions.emplace_back(along, std::sin(angle) * 0.3 + away * (angle_deg > 80.0 ? 0.0 : -1.0),
                                       std::cos(angle) * 0.3 + away * (angle_deg > 80.0 ? -1.0 : 0.0));
     };
+    const auto unevenness_deg = [](uint32_t row, uint32_t column) {
+        return row < 2 || row > strips ? 0.0 : (row + column) % 2 == 0 ? 7.0 : -7.0;
+    };
     for (uint32_t row = 0; row <= strips + 2; ++row) {
         const bool is_wall = row == 0 || row == strips + 2;
         const double angle_deg = 90.0 * (std::clamp(row, 1U, strips + 1U) - 1) / strips;
         for (uint32_t i = 0; i <= columns; ++i) {
             const double shift = row % 2 == 0 ? 0.35 : 0.0;
-            add(angle_deg, is_wall ? 1.0 : 0.0, 3.0 * (i + shift) / columns - 1.5);
+            add(angle_deg + unevenness_deg(row, i), is_wall ? 1.0 : 0.0, 3.0 * (i + shift) / columns - 1.5);
         }
     }
     for (uint32_t row = 0; row < strips + 2; ++row) {
@@ -170,6 +173,7 @@ Primitive fillet()
     return result;
 }
 
+// Some edges of the fillet fold by more than 34 degrees, but the shading is smooth across them.
 TEST(WholeLines, AFilletWithAlternatingDiagonalsHasNoCreases)
 {
     for (const char* angle : {"60", "34", "25"}) {
@@ -294,7 +298,7 @@ TEST(WholeLines, ASurfaceWhoseFrontLooksInwardsHasTheLinesOfOneThatLooksOutwards
     }
 }
 
-/// A square board that leans towards the eye, behind posts that stand next to each other.
+/// The lines of a square board behind five posts.
 std::vector<VectorStroke> board_behind_posts(float post_mm, float gap_mm,
                                              const std::vector<std::string>& assignments = {})
 {

@@ -42,8 +42,8 @@ protected:
         std::vector<uint8_t> result;
         for (size_t i = 0; i < image.rgba.size(); ++i) {
             const size_t x = i / 4 % image.width;
-            // Leaves out the middle, where the panels meet: a stroke may end one step of 3 px after a corner,
-            // and takes the pressure of the pen from the light there.
+            // Leaves out the middle, where the panels meet. A stroke that goes around a corner ends up to
+            // 3 px beyond the middle, and the light of the other panel sets the width of its end.
             if (right ? x > image.width / 2 + 5 : x + 5 < image.width / 2) {
                 result.push_back(image.rgba[i]);
             }

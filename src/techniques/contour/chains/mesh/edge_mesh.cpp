@@ -253,16 +253,11 @@ private:
         return glm::cross(positions[corners.y] - a, positions[corners.z] - a);
     }
 
-    [[nodiscard]] glm::vec3 normal(uint32_t t) const
-    {
-        const glm::vec3 n = area_normal(t, soup_.positions);
-        const float length = glm::length(n);
-        return length > 0.0F ? n / length : glm::vec3(0.0F);
-    }
+    [[nodiscard]] glm::vec3 normal(uint32_t t) const { return normal(t, soup_.positions); }
 
-    [[nodiscard]] glm::vec3 mesh_normal(uint32_t t) const
+    [[nodiscard]] glm::vec3 normal(uint32_t t, std::span<const glm::vec3> positions) const
     {
-        const glm::vec3 n = area_normal(t, soup_.mesh_positions);
+        const glm::vec3 n = area_normal(t, positions);
         const float length = glm::length(n);
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
@@ -345,17 +340,16 @@ private:
     /// averaged normals.
     [[nodiscard]] bool is_shaded_round(uint32_t t) const
     {
-        const glm::vec3 plane = normal(t);
+        const glm::vec3 plane = normal(t, soup_.mesh_positions);
         bool bends = false;
         for (int k = 0; k < 3; ++k) {
             const glm::vec3& vertex_normal = soup_.mesh_normals[mesh_.triangles[t][k]];
             const float length = glm::length(vertex_normal);
-            bends = bends || std::abs(glm::dot(mesh_normal(t), vertex_normal)) < round_cosine * length;
+            bends = bends || std::abs(glm::dot(plane, vertex_normal)) < round_cosine * length;
         }
         for (int k = 0; k < 3 && bends; ++k) {
             const uint32_t beyond = mesh_.neighbors[t][k];
-            if (beyond != no_side && plane != glm::vec3(0.0F) &&
-                fold_cosine(t, beyond >> 2U) > one_plane_cosine) {
+            if (beyond != no_side && fold_cosine(t, beyond >> 2U) > one_plane_cosine) {
                 return true;
             }
         }

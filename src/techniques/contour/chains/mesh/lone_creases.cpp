@@ -46,6 +46,11 @@ glm::vec3 normal_of(const EdgeMesh& mesh, std::span<const glm::vec3> positions, 
     return length > 0.0F ? sense / length * normal : glm::vec3(0.0F);
 }
 
+float length_of(const EdgeMesh& mesh, std::span<const glm::vec3> positions, uint32_t side)
+{
+    return glm::distance(place_of(mesh, positions, side, 0), place_of(mesh, positions, side, 1));
+}
+
 /// The longest side of a triangle other than `side`.
 uint32_t longest_other_side(const EdgeMesh& mesh, std::span<const glm::vec3> positions, uint32_t side)
 {
@@ -53,19 +58,14 @@ uint32_t longest_other_side(const EdgeMesh& mesh, std::span<const glm::vec3> pos
     const uint32_t corner = side & 3U;
     const std::array<uint32_t, 2> others{side_of(triangle, (corner + 1) % 3),
                                          side_of(triangle, (corner + 2) % 3)};
-    const auto length = [&](uint32_t other) {
-        return glm::distance(place_of(mesh, positions, other, 0), place_of(mesh, positions, other, 1));
-    };
-    return length(others[0]) >= length(others[1]) ? others[0] : others[1];
+    return length_of(mesh, positions, others[0]) >= length_of(mesh, positions, others[1]) ? others[0]
+                                                                                          : others[1];
 }
 
 bool is_sliver(const EdgeMesh& mesh, std::span<const glm::vec3> positions, uint32_t side)
 {
     uint32_t longest = longest_other_side(mesh, positions, side);
-    const auto length = [&](uint32_t other) {
-        return glm::distance(place_of(mesh, positions, other, 0), place_of(mesh, positions, other, 1));
-    };
-    longest = length(side) > length(longest) ? side : longest;
+    longest = length_of(mesh, positions, side) > length_of(mesh, positions, longest) ? side : longest;
     const glm::vec3 from = place_of(mesh, positions, longest, 0);
     const glm::vec3 to = place_of(mesh, positions, longest, 1);
     const glm::vec3 apex = place_of(mesh, positions, longest, 2);

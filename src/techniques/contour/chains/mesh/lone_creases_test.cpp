@@ -90,7 +90,7 @@ TEST(LoneCreases, ASliverDoesNotFoldASurface)
     // Two squares in one plane. Between them lies a sliver that is turned over.
     const glm::vec3 low(0.0F, 0.0F, -1.0F);
     const glm::vec3 high(0.0F, 0.0F, 1.0F);
-    const glm::vec3 apex(0.01F, 0.0F, 0.0F);
+    const glm::vec3 apex(-0.01F, 0.0F, 0.0F);
     Primitive primitive;
     primitive.positions = {low, high, apex, {-1.0F, 0.0F, 0.0F}, {1.0F, 0.0F, -1.0F}, {1.0F, 0.0F, 1.0F}};
     primitive.indices = {0, 3, 1, 1, 0, 2, 0, 2, 4, 2, 1, 5, 2, 5, 4};

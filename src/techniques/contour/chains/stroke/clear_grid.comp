@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread clears one cell of the sample grid, which finds samples by their position on the page.
+// One thread clears one cell of the sample grid, which finds samples by their position on the page, and the
+// note on the lines of one shell (connected surface).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

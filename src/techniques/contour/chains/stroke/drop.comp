@@ -2,7 +2,8 @@
 // Four threads test one stroke. A short stroke that runs beside a longer stroke is dropped, for example the
 // far side of a cusp. A stroke that was found on the page is also dropped if it runs beside a stroke of the
 // mesh, whatever the length. For example, where a box stands on the ground, the box's edge already has a
-// line. The shader also resets the data that strokes inherit from the previous frame.
+// line. Scraps and the outlines of bumps are dropped too, see is_scrap() and is_bump(). The shader also
+// resets the data that strokes inherit from the previous frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

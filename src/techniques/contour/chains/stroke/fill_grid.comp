@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread enters one sample into the sample grid (which finds samples by position), if the sample belongs
-// to a stroke.
+// to a stroke. The thread of a stroke's first sample also notes whether the stroke is longer than a scrap.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

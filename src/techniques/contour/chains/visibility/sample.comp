@@ -75,7 +75,7 @@ struct Cover {
     bool is_over; // seen from the eye, the tested point lies within the outline of the triangle
     // The triangle's plane, limited to the triangle's range of depth, lies in front of the tested point.
     bool hides;
-    float behind_m; // depth of that plane behind the tested point
+    float behind_m; // depth of the triangle's plane behind the tested point
 };
 
 Cover cover_of(uint triangle, vec3 point, float tolerance_m)
