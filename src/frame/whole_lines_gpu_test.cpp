@@ -136,6 +136,79 @@ TEST(WholeLines, ABoxWithAveragedNormalsHasLinesAlongItsEdgesOnly)
     EXPECT_NEAR(whole_mm, seen_mm, 0.03F * seen_mm);
 }
 
+/// Largest angle in degrees between the ways of a stroke over `reach_mm` before and after any of its points
+/// that are at least `from_ends_mm` from its ends.
+float sharpest_bend_deg(const VectorStroke& stroke, float reach_mm, float from_ends_mm)
+{
+    std::vector<float> along_mm{0.0F};
+    for (size_t i = 1; i < stroke.points.size(); ++i) {
+        along_mm.push_back(along_mm.back() +
+                           glm::distance(stroke.points[i - 1].page_mm, stroke.points[i].page_mm));
+    }
+    const auto place_at = [&](float mm) {
+        const size_t i =
+            std::clamp<size_t>(static_cast<size_t>(std::ranges::lower_bound(along_mm, mm) - along_mm.begin()),
+                               1, along_mm.size() - 1);
+        const float share = (mm - along_mm[i - 1]) / std::max(along_mm[i] - along_mm[i - 1], 1e-6F);
+        return glm::mix(stroke.points[i - 1].page_mm, stroke.points[i].page_mm, share);
+    };
+    float sharpest = 0.0F;
+    for (float mm = std::max(from_ends_mm, reach_mm); mm < along_mm.back() - std::max(from_ends_mm, reach_mm);
+         mm += 0.1F) {
+        const glm::vec2 before = place_at(mm) - place_at(mm - reach_mm);
+        const glm::vec2 after = place_at(mm + reach_mm) - place_at(mm);
+        const float cosine = glm::dot(before, after) / (glm::length(before) * glm::length(after));
+        sharpest = std::max(sharpest, glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F))));
+    }
+    return sharpest;
+}
+
+constexpr float bend_reach_mm = 0.5F;
+
+TEST(WholeLines, TheOutlineOfACoarseBallIsRound)
+{
+    constexpr uint32_t segments = 40; // facets of 5 mm that turn by 9 degrees
+    const Camera camera{.eye = {0.0, 0.0, 7.0}, .target = {0.0, 0.0, 0.0}};
+    const glm::vec2 middle = page_mm(camera, {0.0, 0.0, 0.0});
+    const float radius_mm = page_height_mm * 0.5F / (std::tan(0.3F) * std::sqrt(48.0F));
+    const std::vector<VectorStroke> strokes =
+        strokes_of(test::scene_of(shapes::sphere(1.0F, segments, segments / 2)), camera);
+    ASSERT_EQ(strokes.size(), 1U);
+    const float facet_deg = 360.0F / segments;
+    EXPECT_LT(sharpest_bend_deg(strokes[0], bend_reach_mm, 0.0F), 0.25F * facet_deg);
+    for (const VectorPoint& point : strokes[0].points) {
+        const float sagitta_mm = radius_mm * (1.0F - std::cos(glm::radians(0.5F * facet_deg)));
+        EXPECT_NEAR(glm::distance(point.page_mm, middle), radius_mm, sagitta_mm + 0.5F * pen_mm);
+    }
+}
+
+TEST(WholeLines, TheRimOfACoarseCylinderIsRoundAndAFlatSidedOneKeepsItsCorners)
+{
+    constexpr uint32_t segments = 24;
+    const Camera camera{.eye = {0.0, 6.0, 0.01}, .target = {0.0, 0.0, 0.0}};
+    const Primitive round = shapes::cylinder(1.0F, 0.5F, segments);
+    Primitive flat_sided;
+    for (const uint32_t index : round.indices) {
+        flat_sided.positions.push_back(round.positions[index]);
+    }
+    for (uint32_t i = 0; i < flat_sided.positions.size(); ++i) {
+        flat_sided.indices.push_back(i);
+        const size_t first = i - i % 3;
+        flat_sided.normals.push_back(
+            glm::normalize(glm::cross(flat_sided.positions[first + 1] - flat_sided.positions[first],
+                                      flat_sided.positions[first + 2] - flat_sided.positions[first])));
+    }
+    const auto sharpest_deg = [&](const Primitive& primitive) {
+        float sharpest = 0.0F;
+        for (const VectorStroke& stroke : strokes_of(test::scene_of(primitive), camera)) {
+            sharpest = std::max(sharpest, sharpest_bend_deg(stroke, bend_reach_mm, 2.0F));
+        }
+        return sharpest;
+    };
+    EXPECT_LT(sharpest_deg(round), 0.5F * 360.0F / segments);
+    EXPECT_GT(sharpest_deg(flat_sided), 0.9F * 360.0F / segments);
+}
+
 /// A quarter of a round bar between two walls at a right angle, in four strips of which two neighbouring
 /// triangles never lie in one plane: every second row of vertices is shifted, and the diagonals alternate.
 Primitive fillet()

@@ -293,7 +293,7 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .step_px = in.line_step_px,
                        .pixels_per_mm = in.pixels_per_mm,
                        .shortest_px = style.shortest_mm * in.pixels_per_mm,
-                       .widest_gap_px = style.outline.width_mm * in.pixels_per_mm,
+                       .pen_px = style.outline.width_mm * in.pixels_per_mm,
                        .shell_count = mesh.shell_count,
                        .size_px = in.size_px,
                        .execution = in.execution};
@@ -322,6 +322,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
                                            .point_capacity = 2 * segments_most + mesh.feature_point_count,
                                            .sample_capacity = sample_capacity(in.size_px),
                                            .step_px = in.step_px,
+                                           .most_rounding_px = 0.5F * in.pen_px,
                                            .first_crest_vertex =
                                                in.crests ? in.crests->first_vertex : UINT32_MAX,
                                            .least_turn = std::tan(glm::radians(in.crest_deg))};
@@ -405,6 +406,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
     auto order = graph.compute("contour/order outline", shaders::order_segments_comp);
     order.uniform(in.frame).read(scanned.sizes).sample(segments).sample(ranks).read(first_of_end);
     order.sample(scanned.before, gpu::Format::r32ui);
+    order.sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
     gpu::BufferId points = order.write(
         graph.buffer("contour/points", list_of(constants.point_capacity, sizeof(shared::ChainPoint))));
     gpu::BufferId lengths =

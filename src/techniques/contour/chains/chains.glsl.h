@@ -187,7 +187,9 @@ struct ChainPoint {
     uint normal;
     float bulge_m;
     uint source; // kind of line << 28 | side of a triangle; corner number 3 means the whole triangle
-    uvec2 unused;
+    // 1 if the bend to the line after the next point is one of a round shape, which is drawn without a kink.
+    uint ends_round;
+    uint unused;
 };
 
 SHARED_CONSTANT uint no_sample = 0xffffffffU;
@@ -238,7 +240,7 @@ struct Stroke {
 
 // Data of a sample that is kept for the next frame.
 struct DrawnSample {
-    vec2 page_px;
+    vec2 page_px;   // of the sample's anchor, not of the rounded line
     uint direction; // direction of the line on the page, as two signed half floats
     float half_width_px;
     float arc_px; // position along the brush, in pixels; the position follows the surface from frame to frame
@@ -325,6 +327,7 @@ struct ChainConstants {
     uint point_capacity;
     uint sample_capacity;
     float step_px;           // approximate distance between samples, in pixels
+    float most_rounding_px;  // how far a rounded line may be from the mesh's own line
     uint first_crest_vertex; // index of the first vertex of the terrain mesh that has crests
     float least_turn;        // smallest change of slope across a drawn crest
 };

@@ -321,10 +321,52 @@ TEST(ContourChains, OnAClosedManifoldEveryOutlineCloses)
     }
 }
 
+/// A closed limb of five uneven sides with averaged normals. Its normals fit the narrow sides, and not the
+/// wide ones, which count as flat.
+Primitive limb()
+{
+    constexpr std::array<float, 5> angles_deg{0.0F, 100.0F, 140.0F, 180.0F, 260.0F};
+    constexpr std::array<float, 4> radii{0.25F, 0.45F, 0.4F, 0.2F};
+    Primitive result;
+    for (size_t ring = 0; ring < radii.size(); ++ring) {
+        for (const float angle_deg : angles_deg) {
+            const float angle = glm::radians(angle_deg);
+            result.positions.emplace_back(radii.at(ring) * std::cos(angle),
+                                          0.8F * static_cast<float>(ring) - 1.2F,
+                                          radii.at(ring) * std::sin(angle));
+        }
+    }
+    const auto bottom = static_cast<uint32_t>(result.positions.size());
+    result.positions.insert(result.positions.end(), {{0.0F, -1.5F, 0.0F}, {0.0F, 1.5F, 0.0F}});
+    const auto add = [&](uint32_t a, uint32_t b, uint32_t c) {
+        result.indices.insert(result.indices.end(), {a, b, c});
+    };
+    for (uint32_t i = 0; i < 5; ++i) {
+        const uint32_t j = (i + 1) % 5;
+        add(bottom, i, j);
+        add(bottom + 1, 15 + j, 15 + i);
+        for (uint32_t low = 0; low < 15; low += 5) {
+            add(low + i, low + 5 + i, low + 5 + j);
+            add(low + i, low + 5 + j, low + j);
+        }
+    }
+    result.normals.resize(result.positions.size());
+    for (size_t t = 0; t < result.indices.size(); t += 3) {
+        const auto at = [&](size_t k) { return result.positions[result.indices[t + k]]; };
+        for (size_t k = 0; k < 3; ++k) {
+            result.normals[result.indices[t + k]] += glm::cross(at(1) - at(0), at(2) - at(0));
+        }
+    }
+    for (glm::vec3& normal : result.normals) {
+        normal = glm::normalize(normal);
+    }
+    return result;
+}
+
 TEST(ContourChains, OutlinesCloseWhereTheyPassFromSmoothPartsToHardEdges)
 {
     for (const Primitive& thing :
-         {banded_ring(), wound_backwards(banded_ring()), shapes::cone(1.0F, 1.6F, 24),
+         {limb(), banded_ring(), wound_backwards(banded_ring()), shapes::cone(1.0F, 1.6F, 24),
           shapes::cylinder(1.0F, 2.0F, 24), shapes::box({1.0F, 1.4F, 0.8F})}) {
         for (const double height : {-0.7, 0.2, 1.1, 2.7}) {
             test::Drawing drawing(test::scene_of(thing),

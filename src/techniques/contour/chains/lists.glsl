@@ -46,7 +46,7 @@ ChainPoint point_at(uint point)
 {
     uvec4 place = texelFetch(point_texels, int(2u * point));
     uvec4 piece = texelFetch(point_texels, int(2u * point + 1u));
-    return ChainPoint(uintBitsToFloat(place.xyz), place.w, uintBitsToFloat(piece.x), piece.y, uvec2(0u));
+    return ChainPoint(uintBitsToFloat(place.xyz), place.w, uintBitsToFloat(piece.x), piece.y, piece.z, 0u);
 }
 #endif
 

@@ -52,6 +52,8 @@ layout(push_constant, scalar) uniform Constants
     ChainConstants constants;
 };
 
+#include "techniques/contour/chains/link/shaded_round.glsl"
+
 layout(constant_id = 0) const uint variant = 0u;
 const bool leave_edges = (variant & order_features_leave_edges) != 0u;
 
@@ -116,6 +118,23 @@ vec3 normal_at(FeaturePoint point, vec3 place)
     return edge_normal(point.side, place);
 }
 
+uint source_of(FeaturePoint point)
+{
+    return point.kind << 28 | point.side;
+}
+
+// Whether a feature line is round at the point after point number `place`. The last point of a closed line
+// repeats the first.
+bool is_round_after(FeatureChain chain, uint place, FeaturePoint point, FeaturePoint next)
+{
+    bool is_end = place + 2u == chain.point_count;
+    uint first = chain.first_point;
+    FeaturePoint leaving = feature_points[is_end ? first : first + place + 1u];
+    vec3 beyond = place_of(feature_points[is_end ? first + 1u : first + place + 2u]);
+    return (!is_end || chain.is_closed != 0u) &&
+           is_round_at(uvec2(source_of(point), source_of(leaving)), place_of(point), place_of(next), beyond);
+}
+
 void main()
 {
     uint index = item_index();
@@ -130,9 +149,11 @@ void main()
         return;
     }
     vec3 place_here = place_of(point);
-    points[at] = ChainPoint(place_here, pack_normal(normal_at(point, place_here)), 0.0,
-                            point.kind << 28 | point.side, uvec2(0u));
     bool is_last = place + 1u == chain.point_count;
-    vec3 onwards = place_of(feature_points[is_last ? index : index + 1u]);
+    FeaturePoint next = feature_points[is_last ? index : index + 1u];
+    vec3 onwards = place_of(next);
+    bool ends_round = !is_last && is_round_after(chain, place, point, next);
+    points[at] = ChainPoint(place_here, pack_normal(normal_at(point, place_here)), 0.0, source_of(point),
+                            ends_round ? 1u : 0u, 0u);
     lengths[at] = is_last ? 0u : uint(length_unit_px * piece_on_page(place_here, onwards).length_px + 0.5);
 }

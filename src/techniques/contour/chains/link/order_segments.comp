@@ -5,6 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -31,12 +32,19 @@ layout(scalar, binding = 4) readonly buffer FirstOfEnd
 #define POINTS_BEFORE_BINDING 5
 #include "techniques/contour/chains/lists.glsl"
 
-layout(scalar, binding = 6) buffer Points
+#define MESH_TEXELS_BINDING 6
+#include "shaders/mesh_texels.glsl"
+
+layout(binding = 8) uniform usamplerBuffer neighbor_texels;
+
+#include "techniques/contour/chains/link/shaded_round.glsl"
+
+layout(scalar, binding = 9) buffer Points
 {
     ChainPoint points[];
 };
 
-layout(scalar, binding = 7) buffer Lengths
+layout(scalar, binding = 10) buffer Lengths
 {
     uint lengths[]; // length on the page from each point to the next, in 1/1024 pixel
 };
@@ -71,11 +79,15 @@ void main()
         return;
     }
     Segment segment = segment_at(index);
-    points[at] = ChainPoint(segment.from, segment.from_normal, segment.bulge_m, segment.source, uvec2(0u));
+    bool has_next = segment.next != no_segment;
+    Segment next = segment_at(has_next ? segment.next : index);
+    bool ends_round =
+        has_next && is_round_at(uvec2(segment.source, next.source), segment.from, segment.to, next.to);
+    points[at] = ChainPoint(segment.from, segment.from_normal, segment.bulge_m, segment.source,
+                            ends_round ? 1u : 0u, 0u);
     lengths[at] = uint(length_unit_px * piece_on_page(segment.from, segment.to).length_px + 0.5);
     if (place == last) {
-        points[at + 1u] =
-            ChainPoint(segment.to, segment.to_normal, segment.bulge_m, segment.source, uvec2(0u));
+        points[at + 1u] = ChainPoint(segment.to, segment.to_normal, segment.bulge_m, segment.source, 0u, 0u);
         lengths[at + 1u] = 0u;
     }
 }

@@ -28,8 +28,6 @@ constexpr float flat_cosine = 0.9852F;
 constexpr float round_cosine = 0.766F;
 // Cosine of half a degree: two triangles lie in one plane.
 constexpr float one_plane_cosine = 0.99996F;
-// Cosine of 5 degrees: the largest fold within a face.
-constexpr float one_face_cosine = 0.9962F;
 
 uint32_t next(uint32_t corner)
 {
@@ -356,19 +354,38 @@ private:
         return false;
     }
 
+    struct Flat {
+        uint32_t triangle;
+        glm::vec3 plane; ///< normal of the face
+    };
+
     /// Flags the triangles of flat faces that are shaded as if they were round. The shading breaks at all
-    /// edges where such a face folds, whatever the vertex normals say.
+    /// edges of such a face, whatever the vertex normals say: an outline along the edges of the face goes on
+    /// in the triangles beyond.
     void mark_flat()
     {
-        bool has_any = false;
+        std::vector<Flat> flat;
+        const auto mark = [&](uint32_t t, const glm::vec3& plane) {
+            mesh_.triangles[t].w |= shared::triangle_is_flat;
+            flat.push_back({t, plane});
+        };
         for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
             if (has_lines(t) && is_shaded_round(t)) {
-                mesh_.triangles[t].w |= shared::triangle_is_flat;
-                has_any = true;
+                mark(t, normal(t));
             }
         }
-        if (!has_any) {
+        if (flat.empty()) {
             return;
+        }
+        for (size_t i = 0; i < flat.size(); ++i) { // goes over the rest of each face
+            const Flat from = flat[i];
+            for (int k = 0; k < 3; ++k) {
+                const uint32_t beyond = mesh_.neighbors[from.triangle][k];
+                if (beyond != no_side && has_lines(beyond >> 2U) && !is_flat(beyond >> 2U) &&
+                    std::abs(glm::dot(from.plane, normal(beyond >> 2U))) > one_plane_cosine) {
+                    mark(beyond >> 2U, from.plane);
+                }
+            }
         }
         std::vector<bool> is_hard(3 * mesh_.triangles.size(), false);
         for (const glm::uvec2& edge : mesh_.hard_edges) {
@@ -378,8 +395,12 @@ private:
             for (uint32_t k = 0; k < 3; ++k) {
                 const uint32_t facing = mesh_.neighbors[t][static_cast<int>(k)];
                 if (facing == no_side || facing < side_of(t, k) || !(is_flat(t) || is_flat(facing >> 2U)) ||
-                    is_hard[3 * size_t{t} + k] || is_hard[3 * size_t{facing >> 2U} + (facing & 3U)] ||
-                    fold_cosine(t, facing >> 2U) > one_face_cosine) {
+                    is_hard[3 * size_t{t} + k] || is_hard[3 * size_t{facing >> 2U} + (facing & 3U)]) {
+                    continue;
+                }
+                const bool is_one_face =
+                    is_flat(t) && is_flat(facing >> 2U) && fold_cosine(t, facing >> 2U) > one_plane_cosine;
+                if (is_one_face) {
                     continue;
                 }
                 mesh_.hard_edges.emplace_back(side_of(t, k), facing);

@@ -528,8 +528,9 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
         touches[gl_GlobalInvocationID.x] = touch_of(index, stroke, arc_px, way);
     }
     if (is_remembered && remembers) {
-        drawn[index] = DrawnSample(sample_at(index).page_px, packHalf2x16(way), half_width, arc_px, seed,
-                                   whole_length(index, stroke));
+        vec2 page_px = page_position(frame.clip_from_anchor * vec4(sample_at(index).anchor, 1.0));
+        drawn[index] =
+            DrawnSample(page_px, packHalf2x16(way), half_width, arc_px, seed, whole_length(index, stroke));
     }
     if (has_jitter) {
         half_width *= stray_width(index, stroke, seed);

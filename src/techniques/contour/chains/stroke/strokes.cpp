@@ -58,7 +58,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
     for (const gpu::BufferId before : {divided.before, chains.points_before, lengths.before}) {
         sample.sample(before, gpu::Format::r32ui);
     }
-    sample.sample(chains.points);
+    sample.sample(chains.points).read(chains.flags_of_slot);
     const gpu::BufferId samples =
         sample.write(graph.buffer("contour/samples", list_of(samples_most, sizeof(shared::LineSample))));
     sample.push(constants).dispatch_indirect(divided.sizes, per_sample);
@@ -69,7 +69,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
     const gpu::BufferId states =
         settle.write(graph.buffer("contour/states", list_of(samples_most, sizeof(uint32_t))));
     const gpu::BufferId rotation = settle.modify(no_rotation);
-    settle.push(shared::SettleConstants{.shortest_px = in.shortest_px, .widest_gap_px = in.widest_gap_px})
+    settle.push(shared::SettleConstants{.shortest_px = in.shortest_px, .widest_gap_px = in.pen_px})
         .dispatch_indirect(divided.sizes, per_sample);
 
     return {.sizes = divided.sizes,

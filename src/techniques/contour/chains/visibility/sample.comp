@@ -39,8 +39,14 @@ layout(scalar, binding = 4) readonly buffer Sizes
 #define LENGTHS_BEFORE_BINDING 7
 #define POINTS_BINDING 8
 #include "techniques/contour/chains/lists.glsl"
+#include "techniques/contour/chains/visibility/round_curve.glsl"
 
-layout(scalar, binding = 9) writeonly buffer Samples
+layout(scalar, binding = 9) readonly buffer FlagsOfSlot
+{
+    uint flags_of_slot[];
+};
+
+layout(scalar, binding = 10) writeonly buffer Samples
 {
     LineSample samples[];
 };
@@ -162,7 +168,8 @@ void main()
     ChainPoint from = point_at(at);
     ChainPoint to = point_at(at + 1u);
     PagePiece piece = piece_on_page(from.anchor, to.anchor);
-    float along = float(length - lengths_before(at)) / max(length_unit_px * piece.length_px, 1e-6);
+    float along_px = float(length - lengths_before(at)) / length_unit_px;
+    float along = along_px / max(piece.length_px, 1e-6);
     float share = share_at(piece, clamp(along, 0.0, 1.0));
     vec3 anchor = mix(from.anchor, to.anchor, share);
     // A line within a triangle has interpolated normals; a line along an edge has one constant normal.
@@ -178,6 +185,11 @@ void main()
                      ? sample_is_visible
                      : 0u;
     state |= is_on_page ? depth_step_of(anchor, normal, page_px) : sample_is_off_page;
+    if (is_on_page && !is_of_page(from.source)) {
+        bool is_closed = (flags_of_slot[slot] & chain_is_closed) != 0u;
+        page_px = rounded_position(ChainOfPoints(first, end, is_closed), int(at - first), page_px,
+                                   constants.most_rounding_px);
+    }
     float spacing_px = float(whole) / (length_unit_px * float(steps));
     samples[index] = LineSample(anchor, pack_normal(normal), page_px, from.source,
                                 state | packHalf2x16(vec2(0.0, spacing_px)));
