@@ -209,6 +209,30 @@ TEST(WholeLines, TheRimOfACoarseCylinderIsRoundAndAFlatSidedOneKeepsItsCorners)
     EXPECT_GT(sharpest_deg(flat_sided), 0.9F * 360.0F / segments);
 }
 
+TEST(WholeLines, AVaseThatIsNarrowAtItsFootHasALineWhereItStands)
+{
+    const Camera camera{.eye = {0.0, 2.0, 5.0}, .target = {0.0, 0.5, 0.0}};
+    const std::array<glm::vec2, 4> profile{glm::vec2(0.0F, 0.0F), glm::vec2(0.5F, 0.0F),
+                                           glm::vec2(0.9F, 0.5F), glm::vec2(0.9F, 1.2F)};
+    const std::vector<VectorStroke> strokes =
+        strokes_of(test::scene_of(shapes::lathe(profile, 48)), camera, {"picture.ground=true"});
+    int places = 0;
+    int drawn = 0;
+    for (double angle = 0.6; angle < 2.55; angle += 0.05) { // the front of the foot
+        const glm::vec2 place = page_mm(camera, {0.5 * std::cos(angle), 0.0, 0.5 * std::sin(angle)});
+        float nearest_mm = 1e6F;
+        for (const VectorStroke& stroke : strokes) {
+            for (size_t i = 1; i < stroke.points.size(); ++i) {
+                nearest_mm = std::min(nearest_mm, distance_to_segment(place, stroke.points[i - 1].page_mm,
+                                                                      stroke.points[i].page_mm));
+            }
+        }
+        ++places;
+        drawn += nearest_mm < pen_mm ? 1 : 0;
+    }
+    EXPECT_EQ(drawn, places);
+}
+
 /// A quarter of a round bar between two walls at a right angle, in four strips of which two neighbouring
 /// triangles never lie in one plane: every second row of vertices is shifted, and the diagonals alternate.
 Primitive fillet()

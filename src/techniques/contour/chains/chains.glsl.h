@@ -206,9 +206,8 @@ SHARED_CONSTANT uint sample_step_shift = 5U;
 SHARED_CONSTANT uint sample_step_most = 1023U;
 SHARED_CONSTANT float sample_steps_a_mm = 16.0F;
 
-// The sample is visible, but the line is left out there because its visible part is too short. So the sample
-// is not drawn as a hidden line either.
-SHARED_CONSTANT uint sample_is_left_out = 0x8000U;
+// Surfaces that are closer on the page touch.
+SHARED_CONSTANT float touching_mm = 0.25;
 
 // A sample (a point on a chain). The samples of one chain are equally spaced.
 struct LineSample {
@@ -333,7 +332,7 @@ struct ChainConstants {
 };
 
 struct SettleConstants {
-    float shortest_px;   // shortest part of a line that is drawn by itself, in pixels
+    float shortest_px;   // two corners are at least as far apart, in pixels
     float widest_gap_px; // a hidden part of a line that is shorter is drawn nevertheless
 };
 

@@ -128,8 +128,8 @@ private:
         const shared::LineSample& from = lists_.samples[i];
         const shared::LineSample& to = lists_.samples[i + 1];
         const float spacing_px = glm::unpackHalf1x16(static_cast<uint16_t>(from.state >> 16U));
-        constexpr uint32_t unwanted = shared::sample_is_off_page | shared::sample_is_left_out;
-        return !has(from, shared::piece_is_there) && !has(from, unwanted) && !has(to, unwanted) &&
+        return !has(from, shared::piece_is_there) && !has(from, shared::sample_is_off_page) &&
+               !has(to, shared::sample_is_off_page) &&
                glm::distance(from.page_px, to.page_px) < most_stretch * std::max(spacing_px, 1.0F);
     }
 

@@ -103,7 +103,6 @@ const bool has_inks_by_kind = (variant & shape_has_inks_by_kind) != 0u;
 
 // Width that lines have in the middle of a stroke.
 
-const float touching_mm = 0.25; // step in depth on the page below which two surfaces touch
 const float near_step_mm = 1.0;
 const float far_step_mm = 16.0;
 const float light_weight = 0.7;

@@ -61,8 +61,7 @@ bool leads_on(ChainOfSamples chain, uint place)
     uint from = chain.first + place;
     bool is_wanted = (states[from] & states[from + 1u] & sample_is_visible) != 0u;
     if (wants_hidden) {
-        uint unwanted = sample_is_off_page | sample_is_left_out;
-        is_wanted = !is_wanted && ((states[from] | states[from + 1u]) & unwanted) == 0u;
+        is_wanted = !is_wanted && ((states[from] | states[from + 1u]) & sample_is_off_page) == 0u;
     }
     return is_wanted && size_of(sample_at(from).page_px - sample_at(from + 1u).page_px) <
                             most_stretch * max(spacing_of(states[from]), 1.0);

@@ -58,7 +58,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
     for (const gpu::BufferId before : {divided.before, chains.points_before, lengths.before}) {
         sample.sample(before, gpu::Format::r32ui);
     }
-    sample.sample(chains.points).read(chains.flags_of_slot);
+    sample.sample(chains.points).read(chains.flags_of_slot).sample(in.neighbors);
     const gpu::BufferId samples =
         sample.write(graph.buffer("contour/samples", list_of(samples_most, sizeof(shared::LineSample))));
     sample.push(constants).dispatch_indirect(divided.sizes, per_sample);

@@ -46,7 +46,9 @@ layout(scalar, binding = 9) readonly buffer FlagsOfSlot
     uint flags_of_slot[];
 };
 
-layout(scalar, binding = 10) writeonly buffer Samples
+layout(binding = 10) uniform usamplerBuffer neighbor_texels;
+
+layout(scalar, binding = 11) writeonly buffer Samples
 {
     LineSample samples[];
 };
@@ -59,6 +61,7 @@ layout(push_constant, scalar) uniform Constants
 const float outside_px = 0.75;
 const float beyond_px = 3.0; // distance from the line at which the surface behind the line is looked at
 const float tolerance_px = 0.05;
+const float least_rise = 0.1; // sine of the least angle between two surfaces that touch along an edge
 
 // Finds the chain point before the place with the arc length `length`. Returns the last point before the
 // chain's end whose arc length is at most `length`.
@@ -107,11 +110,37 @@ Cover cover_of(uint triangle, vec3 point, float tolerance_m)
     return Cover(is_over, !is_beside && behind_m < -tolerance_m, behind_m);
 }
 
+// Whether a triangle's surface rises from a plane at a point, towards the eye's side of the plane. `plane` is
+// the plane's unit normal on that side.
+bool rises_from(uint triangle, vec3 point, vec3 plane)
+{
+    uvec4 corners = triangle_at(triangle);
+    vec3 middle = (posed_vertex_at(corners.x).position + posed_vertex_at(corners.y).position +
+                   posed_vertex_at(corners.z).position) /
+                  3.0;
+    return dot(middle - point, plane) > least_rise * size_of(middle - point);
+}
+
+// Whether an edge touches the surface that hides the place outside of it: a vase that is narrow at its foot
+// stands on the ground, and the outside of the foot's edge is below the ground.
+bool is_contact(uint hiding, vec3 anchor, uint side, float pixel_m)
+{
+    uvec4 corners = triangle_at(hiding);
+    vec3 a = posed_vertex_at(corners.x).position;
+    vec3 plane = cross(posed_vertex_at(corners.y).position - a, posed_vertex_at(corners.z).position - a);
+    plane = unit(plane * (dot(plane, towards_eye(frame, anchor)) < 0.0 ? -1.0 : 1.0));
+    uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
+    return abs(dot(anchor - a, plane)) < touching_mm * frame.pixels_per_mm * pixel_m &&
+           (rises_from(side >> 2, anchor, plane) ||
+            (beyond != no_side && rises_from(beyond >> 2, anchor, plane)));
+}
+
 // Whether a point is visible. Among the triangles seen around the point, a triangle that covers the point
 // decides. If no triangle covers the point, because all are smaller than a pixel, the point counts as hidden
 // if the triangles at three of four pixels hide it.
-bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
+bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint side)
 {
+    uint own = side >> 2;
     float pixel_m = pixel_size_m(frame, anchor);
     vec3 outside = anchor + normal * (bulge_m + outside_px * pixel_m);
     vec2 place = page_position(frame.clip_from_anchor * vec4(outside, 1.0));
@@ -121,18 +150,24 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
     bool is_covered = false;
     bool is_free = false;
     int hiding = 0;
+    uint hiding_triangle = own;
     ivec2 pixel = around.low;
     do {
         uvec2 word = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
         bool may_hide = sees_triangle(word) && seen_triangle(word) != own;
         Cover cover = cover_of(may_hide ? seen_triangle(word) : own, outside, tolerance_px * pixel_m);
-        is_covered = is_covered || (may_hide && cover.is_over && cover.hides);
+        bool hides = may_hide && cover.hides;
+        is_covered = is_covered || (hides && cover.is_over);
         is_free = is_free || (may_hide && cover.is_over && !cover.hides);
         // The point is hidden if triangles at three or more of the four pixels around the point hide it.
-        hiding += may_hide && cover.hides ? 1 : -3;
+        hiding += hides ? 1 : -3;
+        hiding_triangle =
+            hides && (cover.is_over || hiding_triangle == own) ? seen_triangle(word) : hiding_triangle;
         pixel = next_cell(pixel, around);
     } while (pixel.y <= around.high.y);
-    return !is_covered && (is_free || hiding < 0);
+    bool is_seen = !is_covered && (is_free || hiding < 0);
+    bool is_edge = (side & 3u) != 3u;
+    return is_seen || (is_edge && is_contact(hiding_triangle, anchor, side, pixel_m));
 }
 
 // How far behind a line the surface lies that is seen beside the line, on the side to which the normal
@@ -179,9 +214,9 @@ void main()
     vec2 page_px = page_position(frame.clip_from_anchor * vec4(anchor, 1.0));
     bool is_on_page = all(greaterThan(page_px, vec2(-0.5 * page_margin_px))) &&
                       all(lessThan(page_px, vec2(frame.size_px) + 0.5 * page_margin_px));
-    uint own = (from.source & 0x0fffffffu) >> 2;
+    uint side = from.source & 0x0fffffffu;
     uint state = is_on_page && (is_of_page(from.source) ||
-                                (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, own)))
+                                (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, side)))
                      ? sample_is_visible
                      : 0u;
     state |= is_on_page ? depth_step_of(anchor, normal, page_px) : sample_is_off_page;

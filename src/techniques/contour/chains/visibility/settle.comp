@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread decides whether the line is drawn at one sample: a hidden part of a chain that is narrower than
-// the pen is drawn, and a visible part that is shorter than the shortest stroke is not. In a closed chain,
-// the thread also looks for a place to cut the chain open: at a sample that is not drawn, or else at a
-// corner.
+// the pen is drawn. In a closed chain, the thread also looks for a place to cut the chain open: at a sample
+// that is not drawn, or else at a corner.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -55,43 +54,12 @@ int samples_in(float length_px, float spacing_px)
     return int(ceil(length_px / max(spacing_px, 1.0)));
 }
 
-// A walk along a chain from a sample, in one direction.
-struct Walk {
-    int seen;     // steps up to the last visible sample that a gap does not separate from the start
-    bool is_open; // the line goes on as far as the walk goes, or up to the chain's end or the page's edge
-};
-
-// Walks up to `reach` steps from a sample. Up to `gap` hidden samples in a row do not end the walk.
-Walk walk_from(ChainOfSamples chain, int place, int way, int reach, int gap)
-{
-    Walk walk = Walk(0, true);
-    int hidden = 0;
-    for (int i = 1; walk.is_open && i <= reach; ++i) {
-        int at = place + way * i;
-        bool is_past_end = !chain.is_closed && (at < 0 || at > int(chain.steps));
-        uint state = sample_at(chain.first + place_in(chain, at)).state;
-        if (is_past_end || (state & sample_is_off_page) != 0u) {
-            break;
-        }
-        bool is_visible = (state & sample_is_visible) != 0u;
-        hidden = is_visible ? 0 : hidden + 1;
-        walk.seen = is_visible ? i : walk.seen;
-        walk.is_open = hidden <= gap;
-    }
-    return walk;
-}
-
 // Whether the line is drawn at a sample: the sample is visible, or in a gap that is narrower than the pen.
-// A visible part that is shorter than the shortest stroke is not drawn, unless the whole chain is as short.
 bool is_drawn(ChainOfSamples chain, int place, float spacing_px)
 {
+    bool is_there = is_visible_at(chain, place);
     int gap = clamp(samples_in(constants.widest_gap_px, spacing_px) - 1, 1, int(chain.steps));
-    int shortest = max(samples_in(constants.shortest_px, spacing_px), 2);
-    int reach = min(shortest, int(chain.steps));
-    Walk back = walk_from(chain, place, -1, reach, gap);
-    Walk on = walk_from(chain, place, 1, reach, gap);
-    bool is_in_gap = false;
-    if (!is_visible_at(chain, place)) {
+    if (!is_there) {
         int before = 1;
         while (before <= gap && !is_visible_at(chain, place - before)) {
             ++before;
@@ -100,10 +68,9 @@ bool is_drawn(ChainOfSamples chain, int place, float spacing_px)
         while (before + after - 1 <= gap && !is_visible_at(chain, place + after)) {
             ++after;
         }
-        is_in_gap = before + after - 1 <= gap;
+        is_there = before + after - 1 <= gap;
     }
-    bool is_whole = back.is_open && on.is_open;
-    return (is_visible_at(chain, place) || is_in_gap) && (is_whole || back.seen + on.seen >= shortest);
+    return is_there;
 }
 
 // Cosine of the bend at a sample.
@@ -149,9 +116,8 @@ void main()
     int reach = samples_in(constants.shortest_px, spacing);
     // A chain that is too short for two strokes has no corners: a speck stays one ring.
     bool turns = !is_first && !is_last && 2 * reach <= int(chain.steps) && is_corner(chain, place, reach);
-    bool is_left_out = !is_seen && (before & sample_is_visible) != 0u;
-    states[index] = (before & ~sample_is_visible) | (is_seen ? sample_is_visible : 0u) |
-                    (turns ? sample_is_corner : 0u) | (is_left_out ? sample_is_left_out : 0u);
+    states[index] =
+        (before & ~sample_is_visible) | (is_seen ? sample_is_visible : 0u) | (turns ? sample_is_corner : 0u);
     if (chain.is_closed && uint(place) < chain.steps && (!is_seen || turns)) {
         atomicMin(rotation_of_slot[slot], uint(place) | (is_seen ? rotation_to_corner : 0u));
     }
