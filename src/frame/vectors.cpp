@@ -23,6 +23,7 @@ namespace estampe::frame {
 namespace {
 
 constexpr float hidden_share = 0.6F;     // width of a hidden line relative to a visible line
+constexpr float thinnest_mm = 0.02F;     // a dot of a printer of 1200 dpi: a thinner stroke is not seen
 constexpr float least_ink_left = 0.125F; // strokes are dropped if haze leaves a smaller share of their width
 
 /// Reads the contents of `from` back into `to`.
@@ -86,12 +87,13 @@ public:
         VectorStroke part = stroke;
         part.is_closed = false;
         for (const auto& point : points) {
-            if (!is_left(point.page_px)) {
+            const float width_mm = mm_per_px_ * ink_left_at(point.page_px) * point.width_px;
+            const bool is_lost = stroke.kind != StrokeKind::hatch && width_mm < thinnest_mm;
+            if (is_lost || !is_left(point.page_px)) {
                 is_whole = false;
                 add_line(part);
                 continue;
             }
-            const float width_mm = mm_per_px_ * ink_left_at(point.page_px) * point.width_px;
             part.points.push_back({mm_per_px_ * point.page_px, width_mm});
         }
         part.is_closed = stroke.is_closed && is_whole;
@@ -151,11 +153,13 @@ private:
         return ink_left_at(page_px) >= least_ink_left;
     }
 
-    /// Adds the stroke to the drawing if it has at least two points. Afterwards the function clears the
-    /// stroke's points.
+    /// Adds the stroke to the drawing if it has at least two points and can be seen. Afterwards the function
+    /// clears the stroke's points.
     void add_line(VectorStroke& stroke)
     {
-        if (stroke.points.size() > 1) {
+        const bool is_seen = std::ranges::any_of(
+            stroke.points, [](const VectorPoint& point) { return point.width_mm >= thinnest_mm; });
+        if (stroke.points.size() > 1 && is_seen) {
             add_parts(stroke);
         }
         stroke.points.clear();
@@ -264,13 +268,9 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
     }
     for (const contour::LinePath& path : paths) {
         const uint32_t draw = drawn.layout.triangles[path.triangle].w & shared::triangle_draw_mask;
-        const bool has_width = std::ranges::any_of(
-            path.points, [](const contour::PathPoint& point) { return point.width_px > 0.0F; });
-        if (has_width) {
-            gathering.add(
-                {.kind = kind_of_line(path.kind), .is_hidden = path.is_hidden, .is_closed = path.is_closed},
-                draw, ink_of(path, draw, drawn.scene, variants), path.points);
-        }
+        gathering.add(
+            {.kind = kind_of_line(path.kind), .is_hidden = path.is_hidden, .is_closed = path.is_closed}, draw,
+            ink_of(path, draw, drawn.scene, variants), path.points);
     }
 }
 

@@ -144,6 +144,20 @@ void expect_alike(const Both& both, double least_covered, double most_more_ink =
     EXPECT_NEAR(both.paths.mean(), both.picture.mean(), most_more_ink * both.picture.mean());
 }
 
+TEST(Vectors, NoStrokeIsThinnerThanAPrinterShows)
+{
+    test::shared_renderer().set_scene(crowded_still_life());
+    const VectorDrawing drawing = test::shared_renderer().draw_strokes(vector_camera, bare({}), vector_page);
+    EXPECT_GT(drawing.strokes.size(), 100U);
+    for (const VectorStroke& stroke : drawing.strokes) {
+        float widest_mm = 0.0F;
+        for (const VectorPoint& point : stroke.points) {
+            widest_mm = std::max(widest_mm, point.width_mm);
+        }
+        EXPECT_GE(widest_mm, 0.02F);
+    }
+}
+
 TEST(Vectors, TheMarginIsLeftBlankAndTheBorderIsRuled)
 {
     Style style = bare({"paper.margin_mm=5", "paper.border_mm=0.4"});

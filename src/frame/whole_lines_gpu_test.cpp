@@ -465,5 +465,57 @@ TEST(WholeLines, ASmallThingKeepsItsOnlyLine)
     EXPECT_GT(length_mm(strokes[0]), 1.0F); // of a triangle in the circle, which three samples make
 }
 
+/// How near the lines of the board's upper edge come to the posts before it, in millimetres.
+float least_gap_mm(const std::vector<VectorStroke>& strokes, float post_mm, float between_mm)
+{
+    const float middle = 0.5F * page_height_mm * page.width / page.height;
+    const float top = 0.5F * page_height_mm - 100.0F;
+    float least = 1e6F;
+    for (const VectorStroke& stroke : strokes) {
+        for (const VectorPoint& point : stroke.points) {
+            const float x = std::abs(point.page_mm.x - middle);
+            const float pitch = post_mm + between_mm;
+            const float from_post = std::abs(x - pitch * std::round(x / pitch)) - 0.5F * post_mm;
+            if (std::abs(point.page_mm.y - top) < 0.05F && x < 45.0F && point.width_mm > 0.05F) {
+                least = std::min(least, from_post);
+            }
+        }
+    }
+    return least;
+}
+
+TEST(WholeLines, AFarLineStopsShortOfANearerOneByTheGapOfTheStyle)
+{
+    EXPECT_LT(least_gap_mm(board_behind_posts(6.0F, 12.0F, {"contour.taper_mm=0"}), 6.0F, 12.0F), 0.6F);
+    const float gap_mm = least_gap_mm(
+        board_behind_posts(6.0F, 12.0F, {"contour.taper_mm=0", "contour.gap_mm=2"}), 6.0F, 12.0F);
+    EXPECT_GT(gap_mm, 1.4F); // steps between samples are 0.75 mm
+    EXPECT_LT(gap_mm, 3.0F);
+}
+
+TEST(WholeLines, LostLinesAreOpenInTheLightAndClosedInTheShade)
+{
+    const Camera camera{.eye = {0.0, 0.0, 7.0}, .target = {0.0, 0.0, 0.0}};
+    const glm::vec2 middle = page_mm(camera, {0.0, 0.0, 0.0});
+    const auto length_by_side = [&](const char* lost) {
+        glm::vec2 sides(
+            0.0F); // length of the outline towards the sun, which is on the left, and away from it
+        for (const VectorStroke& stroke :
+             strokes_of(test::scene_of(shapes::sphere(1.0F, 64, 32)), camera,
+                        {"light.sun_azimuth_deg=-90", "light.sun_elevation_deg=10", lost})) {
+            for (size_t i = 1; i < stroke.points.size(); ++i) {
+                const float step = glm::distance(stroke.points[i].page_mm, stroke.points[i - 1].page_mm);
+                sides[stroke.points[i].page_mm.x < middle.x ? 0 : 1] += step;
+            }
+        }
+        return sides;
+    };
+    const glm::vec2 all = length_by_side("contour.lost=0");
+    EXPECT_NEAR(all.x, all.y, 0.02F * all.y);
+    const glm::vec2 left = length_by_side("contour.lost=0.8");
+    EXPECT_LT(left.x, 0.35F * all.x);
+    EXPECT_GT(left.y, 0.9F * all.y);
+}
+
 } // namespace
 } // namespace estampe

@@ -124,6 +124,13 @@ void add_hand_keys(ContourTable& table)
             "How much outlines differ in width by what they say. Outlines before something far away and "
             "edges that touch the ground get wider, outlines before something near get finer. 0 draws all "
             "equally wide. Only used when contour.lines is chains.")
+        .number("lost", &ContourStyle::lost, {0.0F, 1.0F}, "",
+                "How far ink lines are left out in the light (lost and found edges). 0 draws lines all "
+                "around a shape, 1 leaves lines only in shade. Only used when contour.lines is chains.")
+        .number("gap_mm", &ContourStyle::gap_mm, {0.0F, 20.0F}, "mm",
+                "How far an ink line stops before a nearer line behind which it goes on. 0 draws up to the "
+                "nearer line, more leaves a white gap that shows which shape is in front. Only used when "
+                "contour.lines is chains.")
         .number("distance_thinning", &ContourStyle::distance_thinning, {0.0F, 1.0F}, "",
                 "How much thinner ink lines are in the distance. 0 keeps one width, 1 makes far lines about "
                 "a third as wide as near lines.")

@@ -71,6 +71,8 @@ struct ContourStyle {
     float pressure = 0.65F;
     PressureFrom pressure_from = PressureFrom::light;
     float rank = 0.5F;
+    float lost = 0.0F;
+    float gap_mm = 0.0F;
     float distance_thinning = 0.7F;
     float shortest_mm = 1.5F;
     float taper_mm = 6.0F;

@@ -224,12 +224,15 @@ struct LineSample {
 SHARED_CONSTANT uint stroke_starts_at_line = 1U;
 SHARED_CONSTANT uint stroke_ends_at_line = 2U;
 SHARED_CONSTANT uint stroke_is_dropped = 4U;
+// A nearer line hides the rest of the line.
+SHARED_CONSTANT uint stroke_starts_behind = 8U;
+SHARED_CONSTANT uint stroke_ends_behind = 16U;
 
 // Consecutive samples that are drawn as one stroke.
 struct Stroke {
     uint first; // index of the first sample; `last` is the index of the last sample
     uint last;
-    uint ends; // bits stroke_starts_at_line, stroke_ends_at_line and stroke_is_dropped
+    uint ends; // bits stroke_*
     // Index of the sample nearest to the stroke's middle that was drawn in the previous frame as well;
     // no_sample if there is none.
     uint recalled;
@@ -393,6 +396,8 @@ struct ShapeConstants {
     float jitter_offset_px;
     float jitter_width;
     float rank;      // how much the widths of outlines differ by what the outlines say, 0 to 1
+    float lost;      // how far lines are left out in the light, 0 to 1
+    float gap_px;    // how far before a nearer line a line stops
     uint brush_uses; // one bit per kind of line that has a brush other than the pen, and one for hidden lines
 };
 

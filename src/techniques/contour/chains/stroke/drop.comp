@@ -99,15 +99,6 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
     return is_there;
 }
 
-// Whether the line of a stroke's end goes on at the sample `beyond`, but is hidden there.
-bool is_cut_at(uint end, uint beyond)
-{
-    uint state = sample_at(min(beyond, sizes[list_samples].count - 1u)).state;
-    vec2 apart = sample_at(min(beyond, sizes[list_samples].count - 1u)).page_px - sample_at(end).page_px;
-    return beyond < sizes[list_samples].count && (state & sample_is_off_page) == 0u &&
-           size_of(apart) < 2.0 * spacing_px(end);
-}
-
 // Whether a stroke is too short to say anything. Short strokes are kept where they are whole lines that close
 // a gap in an outline before something far behind. The outline of a small thing that has no longer line is
 // kept if it is whole.
@@ -128,9 +119,10 @@ bool is_scrap(Stroke stroke, float step_mm)
     bool is_linked = middle >> 28 == line_silhouette;
     bool is_only = has_long_line[shell_of_line(middle)] == 0u;
     bool is_before_far = step_mm * constants.pixels_per_mm >= constants.shortest_px;
-    return !(is_only && is_ring) && (is_linked || is_part || !is_before_far ||
-                                     !meets_line(stroke, stroke.first, constants.size_px, true) ||
-                                     !meets_line(stroke, stroke.last, constants.size_px, true));
+    return !(is_only && is_ring) &&
+           (is_linked || is_part || !is_before_far ||
+            line_at_end(stroke, stroke.first, constants.size_px, true) == no_sample ||
+            line_at_end(stroke, stroke.last, constants.size_px, true) == no_sample);
 }
 
 // Whether the outline of a smooth surface hides next to nothing: a bump of a rough surface, not a form.

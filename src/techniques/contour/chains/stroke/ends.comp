@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Two threads test whether the ends of one stroke meet further lines. An end that meets a line is drawn up to
-// the line; only free ends taper.
+// the line; only free ends taper. Where a nearer line hides the rest of a line, the far line stops short of
+// it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/camera.glsl"
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
@@ -33,7 +35,23 @@ layout(push_constant, scalar) uniform Constants
     uvec2 size_px;
 };
 
+layout(scalar, binding = 5) uniform Frame
+{
+    FrameGlobals frame;
+};
+
 #include "techniques/contour/chains/stroke/meetings.glsl"
+
+const float least_behind_mm = 1.0; // on the page
+
+// Whether the line of the sample `near` passes before the line of a stroke's end, and hides the rest of it.
+bool is_behind(uint end, uint beyond, uint near)
+{
+    vec3 anchor = sample_at(end).anchor;
+    float behind_m = dot(anchor - sample_at(near).anchor, frame.view_forward);
+    return is_cut_at(end, beyond) &&
+           behind_m > least_behind_mm * frame.pixels_per_mm * pixel_size_m(frame, anchor);
+}
 
 void main()
 {
@@ -43,7 +61,12 @@ void main()
         return;
     }
     Stroke stroke = strokes[index];
-    if (meets_line(stroke, is_start ? stroke.first : stroke.last, size_px, false)) {
-        atomicOr(strokes[index].ends, is_start ? stroke_starts_at_line : stroke_ends_at_line);
+    uint end = is_start ? stroke.first : stroke.last;
+    uint near = line_at_end(stroke, end, size_px, false);
+    if (near != no_sample) {
+        bool stops_short = is_behind(end, is_start ? end - 1u : end + 1u, near);
+        uint start_bits = stroke_starts_at_line | (stops_short ? stroke_starts_behind : 0u);
+        uint end_bits = stroke_ends_at_line | (stops_short ? stroke_ends_behind : 0u);
+        atomicOr(strokes[index].ends, is_start ? start_bits : end_bits);
     }
 }

@@ -16,12 +16,22 @@ bool is_dropped(uint other)
     return (strokes[strokes_before(other + 1u) - 1u].ends & stroke_is_dropped) != 0u;
 }
 
-// Whether a line lies at the sample `end`, which is the first or the last sample of `stroke`. Strokes that
-// are already dropped count only if `with_dropped` is set.
-bool meets_line(Stroke stroke, uint end, uvec2 size_px, bool with_dropped)
+// Whether the line of a stroke's end goes on at the sample `beyond`, but is hidden there.
+bool is_cut_at(uint end, uint beyond)
+{
+    bool is_there = beyond < sizes[list_samples].count;
+    LineSample next = sample_at(is_there ? beyond : end);
+    return is_there && (next.state & sample_is_off_page) == 0u &&
+           size_of(next.page_px - sample_at(end).page_px) < 2.0 * unpackHalf2x16(next.state).y;
+}
+
+// The nearest sample of another line at the sample `end`, which is the first or the last sample of `stroke`;
+// no_sample if there is none. Strokes that are already dropped count only if `with_dropped` is set.
+uint line_at_end(Stroke stroke, uint end, uvec2 size_px, bool with_dropped)
 {
     vec2 here = sample_at(end).page_px;
-    bool meets = false;
+    uint nearest = no_sample;
+    float nearest_px = meeting_px;
     Cells around = cells_around(here, size_px);
     for (ivec2 cell = around.low; cell.y <= around.high.y; cell = next_cell(cell, around)) {
         uvec2 found = grid[cell_index(cell, size_px)];
@@ -32,10 +42,13 @@ bool meets_line(Stroke stroke, uint end, uvec2 size_px, bool with_dropped)
             bool is_own = other >= stroke.first && other <= stroke.last;
             uint apart = other > end ? other - end : end - other;
             bool counts = is_there && (!is_own || apart > far_along) && (with_dropped || !is_dropped(other));
-            meets = meets || (counts && size_of(sample_at(other).page_px - here) < meeting_px);
+            float away_px = size_of(sample_at(other).page_px - here);
+            bool is_nearer = counts && away_px < nearest_px;
+            nearest = is_nearer ? other : nearest;
+            nearest_px = is_nearer ? away_px : nearest_px;
         }
     }
-    return meets;
+    return nearest;
 }
 
 #endif

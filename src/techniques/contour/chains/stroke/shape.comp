@@ -192,19 +192,49 @@ float turn_at(uint index, Stroke stroke)
     return clamp(constants.turn_px * turn / max(0.5 * (size_of(arriving) + size_of(leaving)), 1.0), 0.0, 1.0);
 }
 
-float pressure_at(uint index, Stroke stroke, vec2 inwards_px)
+// How dark the surface is beside a sample, 0 to 1.
+float shade_at(uint index)
+{
+    LineSample point = sample_at(index);
+    vec3 outside = point.anchor + unpack_normal(point.normal) * pixel_size_m(frame, point.anchor);
+    vec2 outwards_px = page_position(frame.clip_from_anchor * vec4(outside, 1.0)) - point.page_px;
+    ivec2 pixel = clamp(ivec2(point.page_px - 2.5 * outwards_px), ivec2(0), ivec2(frame.size_px) - 1);
+    return 1.0 - clamp(texelFetch(light_image, pixel, 0).a, 0.0, 1.0);
+}
+
+const float lost_step_mm = 1.5; // the shade is averaged over four such steps along the stroke
+const float lost_slow = 0.4;    // how unevenly lines are lost
+const float lost_soft = 0.15;
+const float lost_shade = 0.5; // the shade up to which lines are lost if `lost` is 1
+
+// Share of a line's width that is left where light falls on it: lost lines are open on the lit side of a
+// shape, and close in its shade. `slow` is a noise from -0.5 to 0.5.
+float found_at(uint index, Stroke stroke, float slow)
+{
+    int step = int(max(lost_step_mm * frame.pixels_per_mm / max(spacing_px(index), 1.0), 1.0));
+    float shade = 0.0;
+    for (int i = -2; i <= 2; ++i) {
+        int at = clamp(int(index) + i * step, int(stroke.first), int(stroke.last));
+        shade += 0.2 * shade_at(uint(at));
+    }
+    float all_found = -0.5 * lost_slow - lost_soft; // below the least value of the sum
+    float least = mix(all_found, lost_shade, constants.lost);
+    return smoothstep(least - lost_soft, least + lost_soft, shade + lost_slow * slow);
+}
+
+float pressure_at(uint index, Stroke stroke)
 {
     LineSample point = sample_at(index);
     float slow = value_noise(vec2(11.0, 7.0) * (point.anchor.xy + point.anchor.z) / frame.scene_radius_m,
                              constants.seed) -
                  0.5;
-    ivec2 pixel = clamp(ivec2(point.page_px + inwards_px), ivec2(0), ivec2(frame.size_px) - 1);
-    float shade = 1.0 - clamp(texelFetch(light_image, pixel, 0).a, 0.0, 1.0);
+    float share = constants.lost > 0.0 ? found_at(index, stroke, slow) : 1.0;
+    float shade = shade_at(index);
     if (swells_in_turns) {
         float turn = turn_at(index, stroke);
         shade = swells_in_shade ? shade + turn - shade * turn : turn;
     }
-    return thinning_at(point.anchor) * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
+    return share * thinning_at(point.anchor) * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 
 // Full width that the line would have at a sample in the middle of a stroke. `ink` becomes the ink number of
@@ -212,11 +242,7 @@ float pressure_at(uint index, Stroke stroke, vec2 inwards_px)
 float full_width(uint index, Stroke stroke, out uint ink)
 {
     LineSample point = sample_at(index);
-    vec3 normal = unpack_normal(point.normal);
-    float pixel_m = pixel_size_m(frame, point.anchor);
-    vec4 outside = frame.clip_from_anchor * vec4(point.anchor + normal * pixel_m, 1.0);
-    vec2 outwards_px = page_position(outside) - point.page_px;
-    float width = even_width(index, stroke) * pressure_at(index, stroke, -2.5 * outwards_px);
+    float width = even_width(index, stroke) * pressure_at(index, stroke);
     ink = 0u;
     if (has_variants || has_inks_by_kind) {
         uint kind = has_inks_by_kind ? kind_now(point.source) : 0u;
@@ -227,7 +253,7 @@ float full_width(uint index, Stroke stroke, out uint ink)
         uint material = draw_at(drawn_by(point.source)).material;
         float own_m = outline_width_m_of(material);
         if (own_m > 0.0) {
-            width = own_m / pixel_m;
+            width = own_m / pixel_size_m(frame, point.anchor);
             ink = material + 1u;
         }
     }
@@ -465,6 +491,11 @@ float taper_at(uint index, Stroke stroke, float full_px)
         blunt = sqrt(1.0 - to_round * to_round);
     }
     vec2 share = mix(tapers, blunt, is_at_line);
+    bvec2 is_behind =
+        bvec2((stroke.ends & stroke_starts_behind) != 0u, (stroke.ends & stroke_ends_behind) != 0u);
+    vec2 stopped = smoothstep(vec2(constants.gap_px), vec2(constants.gap_px + 0.5 * full_px), from_ends);
+    share *= mix(vec2(1.0), stopped,
+                 bvec2(is_behind.x && constants.gap_px > 0.0, is_behind.y && constants.gap_px > 0.0));
     return min(share.x, share.y);
 }
 

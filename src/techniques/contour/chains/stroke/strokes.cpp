@@ -118,7 +118,9 @@ ChainStrokes find_ends(gpu::Graph& graph, const ChainInputs& in, const ChainSamp
     drop.push(constants).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
     auto ends = graph.compute("contour/ends", shaders::ends_comp);
     ask_strokes(ends);
-    ends.push(in.size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
+    ends.uniform(in.frame)
+        .push(in.size_px)
+        .dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
     return strokes;
 }
 
@@ -280,13 +282,16 @@ shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle
                                      .jitter_ends_px = style.jitter_ends_mm * pixels_per_mm,
                                      .jitter_offset_px = style.jitter_offset_mm * pixels_per_mm,
                                      .jitter_width = style.jitter_width,
-                                     .rank = in.lines == LineClass::hidden ? 0.0F : style.rank};
+                                     .rank = style.rank,
+                                     .lost = style.lost,
+                                     .gap_px = style.gap_mm * pixels_per_mm};
     for (uint32_t use = 0; in.page.brushes != nullptr && use < shared::brush_use_count; ++use) {
         constants.brush_uses |= in.page.brushes->layer_of_use.at(use) ? 1U << use : 0U;
     }
     set_widths(in, style, constants);
     if (in.lines == LineClass::hidden) {
         constants.taper_px = constants.overshoot_px = constants.pressure = 0.0F;
+        constants.rank = constants.lost = constants.gap_px = 0.0F;
     }
     return constants;
 }
