@@ -293,6 +293,7 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .step_px = in.line_step_px,
                        .pixels_per_mm = in.pixels_per_mm,
                        .shortest_px = style.shortest_mm * in.pixels_per_mm,
+                       .gap_px = style.gap_mm * in.pixels_per_mm,
                        .pen_px = style.outline.width_mm * in.pixels_per_mm,
                        .shell_count = mesh.shell_count,
                        .size_px = in.size_px,

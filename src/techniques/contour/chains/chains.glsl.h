@@ -342,6 +342,7 @@ struct SettleConstants {
 struct DropConstants {
     uvec2 size_px;
     float shortest_px; // length of the shortest stroke that is no scrap, in pixels
+    float gap_px;      // how far before a nearer line a line stops
     float pixels_per_mm;
 };
 

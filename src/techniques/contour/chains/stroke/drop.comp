@@ -104,7 +104,13 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
 // kept if it is whole.
 bool is_scrap(Stroke stroke, float step_mm)
 {
-    if (whole_length(stroke.first, stroke) >= constants.shortest_px) {
+    float length_px = whole_length(stroke.first, stroke);
+    bool is_ring = (sample_at(stroke.first).state & sample_in_ring) != 0u;
+    uint cuts = is_ring ? 0u
+                        : (is_cut_at(stroke.first, stroke.first - 1u) ? 1u : 0u) +
+                              (is_cut_at(stroke.last, stroke.last + 1u) ? 1u : 0u);
+    // Where the rest of a line is hidden, the line stops short of what hides it.
+    if (length_px >= constants.shortest_px + float(cuts) * constants.gap_px) {
         return false;
     }
     uint middle = sample_at(middle_of(stroke)).source;
@@ -113,14 +119,11 @@ bool is_scrap(Stroke stroke, float step_mm)
     if (!is_outline) {
         return true;
     }
-    bool is_ring = (sample_at(stroke.first).state & sample_in_ring) != 0u;
-    bool is_part =
-        !is_ring && (is_cut_at(stroke.first, stroke.first - 1u) || is_cut_at(stroke.last, stroke.last + 1u));
     bool is_linked = middle >> 28 == line_silhouette;
     bool is_only = has_long_line[shell_of_line(middle)] == 0u;
     bool is_before_far = step_mm * constants.pixels_per_mm >= constants.shortest_px;
     return !(is_only && is_ring) &&
-           (is_linked || is_part || !is_before_far ||
+           (is_linked || cuts > 0u || !is_before_far ||
             line_at_end(stroke, stroke.first, constants.size_px, true) == no_sample ||
             line_at_end(stroke, stroke.last, constants.size_px, true) == no_sample);
 }

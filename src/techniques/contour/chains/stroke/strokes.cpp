@@ -94,6 +94,7 @@ ChainStrokes find_ends(gpu::Graph& graph, const ChainInputs& in, const ChainSamp
     // Of hidden lines, none is a scrap: what they hide themselves is not known.
     const shared::DropConstants constants{.size_px = in.size_px,
                                           .shortest_px = lines == LineClass::seen ? in.shortest_px : 0.0F,
+                                          .gap_px = lines == LineClass::seen ? in.gap_px : 0.0F,
                                           .pixels_per_mm = in.pixels_per_mm};
     auto clear = graph.compute("contour/clear grid", shaders::clear_grid_comp);
     strokes.grid = clear.write(strokes.grid);
