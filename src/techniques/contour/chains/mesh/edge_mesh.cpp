@@ -377,8 +377,9 @@ private:
         if (flat.empty()) {
             return;
         }
-        for (size_t i = 0; i < flat.size(); ++i) { // goes over the rest of each face
-            const Flat from = flat[i];
+        while (!flat.empty()) { // goes over the rest of each face
+            const Flat from = flat.back();
+            flat.pop_back();
             for (int k = 0; k < 3; ++k) {
                 const uint32_t beyond = mesh_.neighbors[from.triangle][k];
                 if (beyond != no_side && has_lines(beyond >> 2U) && !is_flat(beyond >> 2U) &&
