@@ -266,6 +266,16 @@ TEST(ToonShade, CastShadowsShowTheSecondTexture)
     EXPECT_EQ(color_at(draw(scene, paint_alone()), 0.5, 0.6), color_at(picture, 0.5, 0.1)) << "no shadows";
 }
 
+TEST(ToonShade, AWallThatIsNotLinkedToTheSunIsInShade)
+{
+    Scene scene = lit_scene(wall(), {0.0, 0.0, 1.0});
+    add_shade_texture(scene, one_color(shade_color));
+    EXPECT_LE(difference(color_at(draw(scene, paint_alone()), 0.5, 0.5), lit_color), 1);
+    scene.lights.at(0).groups = 1;
+    scene.nodes.at(0).links.lit_by = 2;
+    EXPECT_LE(difference(color_at(draw(scene, paint_alone()), 0.5, 0.5), shade_color), 1);
+}
+
 TEST(ToonShade, SortedSurfacesAreSeenThroughInTheColourOfTheShade)
 {
     Scene scene = lit_scene(wall(), {0.0, 0.2, -1.0});

@@ -446,10 +446,11 @@ void main()
     imageStore(out_light, pixel, vec4(light, luminance(light)));
     if (keeps_sun) {
         LightRecord sun = light_at(0u);
-        bool is_lit = directional_count > 0u && takes_shadow && (word & DRAW_UNLIT) == 0u &&
-                      (!has_links || (sun.groups & groups) != 0u) &&
-                      dot(smooth_normal, sun.direction) > least_sun_cosine;
-        imageStore(out_sun, pixel, vec4(is_lit ? sun_visible : -1.0));
+        bool is_linked = directional_count == 0u || !has_links || (sun.groups & groups) != 0u;
+        bool has_edge = directional_count > 0u && is_linked && takes_shadow && (word & DRAW_UNLIT) == 0u &&
+                        dot(smooth_normal, sun.direction) > least_sun_cosine;
+        // Where the sun grazes the surface, the shadow map cannot tell the surface from what shades it.
+        imageStore(out_sun, pixel, vec4(has_edge ? sun_visible : is_linked ? -2.0 : -1.0));
     }
     if (keeps_strongest) {
         bool is_local = dot(towards_strongest, towards_strongest) > 0.0;

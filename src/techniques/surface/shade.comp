@@ -42,7 +42,8 @@ layout(binding = 10) uniform sampler2DArray texture_class_3;
 layout(binding = 11) uniform sampler2DArray texture_class_4;
 layout(binding = 12) uniform sampler2DArray pictures; // pictures that the style names
 layout(binding = 13) uniform usampler2D normal_image; // see Surface::normal
-layout(binding = 14) uniform sampler2D sun_image;     // visible share of the sun; negative: unknown
+// Visible share of the sun; -1 where the sun does not shine, -2 where its share is not known.
+layout(binding = 14) uniform sampler2D sun_image;
 // Linear colour in the shade in rgb; alpha as in shaders/shade.glsl.h.
 layout(binding = 15, rgba16f) writeonly uniform image2D out_shade;
 
@@ -82,8 +83,9 @@ vec4 sample_picture(TextureSlot slot, UvFootprint footprint)
 float lit_share(ShadeRecord record, ivec2 pixel)
 {
     vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).x);
-    float seen_sun = texelFetch(sun_image, pixel, 0).x;
-    float cosine = mix(-1.0, dot(normal, constants.towards_sun), seen_sun < 0.0 ? 1.0 : seen_sun);
+    float sun = texelFetch(sun_image, pixel, 0).x;
+    float seen_sun = sun < 0.0 ? -1.0 - sun : sun; // counts as whole where it is not known
+    float cosine = mix(-1.0, dot(normal, constants.towards_sun), seen_sun);
     return clamp((cosine - record.step_from) / max(record.step_to - record.step_from, 1e-4), 0.0, 1.0);
 }
 

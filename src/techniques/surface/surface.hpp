@@ -74,7 +74,8 @@ struct ShadeInputs {
     std::optional<gpu::ImageId> pictures; ///< array of the pictures that a style names; none without pictures
     gpu::ImageId draw;                    ///< Surface::draw of the visible surfaces
     gpu::ImageId normal;                  ///< Surface::normal of the visible surfaces
-    /// r32f: share of the sun that is visible, negative where it is unknown; read only with `has_steps`.
+    /// r32f: visible share of the sun; -1 where the sun does not shine, -2 where its share is not known; read
+    /// only with `has_steps`.
     gpu::ImageId sun;
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     bool has_steps = false; ///< records with a step of their own decide by the sun where the shade begins
