@@ -498,8 +498,8 @@ TEST(WholeLines, LostLinesAreOpenInTheLightAndClosedInTheShade)
     const Camera camera{.eye = {0.0, 0.0, 7.0}, .target = {0.0, 0.0, 0.0}};
     const glm::vec2 middle = page_mm(camera, {0.0, 0.0, 0.0});
     const auto length_by_side = [&](const char* lost) {
-        glm::vec2 sides(
-            0.0F); // length of the outline towards the sun, which is on the left, and away from it
+        // Length of the outline towards the sun, which is on the left, and away from it.
+        glm::vec2 sides(0.0F);
         for (const VectorStroke& stroke :
              strokes_of(test::scene_of(shapes::sphere(1.0F, 64, 32)), camera,
                         {"light.sun_azimuth_deg=-90", "light.sun_elevation_deg=10", lost})) {

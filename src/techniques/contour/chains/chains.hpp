@@ -224,8 +224,8 @@ struct ChainInputs {
     float pixels_per_mm = 1.0F; ///< of the page
     float shortest_px = 0.0F;   ///< a shorter visible part of a line is not drawn
     float gap_px = 0.0F;        ///< how far before a nearer line a line stops
-    float pen_px =
-        0.0F; ///< width of outlines: a shorter hidden part is drawn, and kinks are rounded within half
+    /// Width of outlines: a shorter hidden part is drawn, and kinks are rounded within half of it.
+    float pen_px = 0.0F;
     uint32_t shell_count = 0; ///< number of connected surfaces, from EdgeMesh::shell_count
     glm::uvec2 size_px{0};
     gpu::ExecutionProfile execution;

@@ -26,18 +26,20 @@ vec3 shading_normal(uint side, vec3 place)
 // bend is towards it. `bend` is the unit vector to which the line turns.
 bool is_shaded_round(uvec2 sides, vec3 place, vec3 bend)
 {
-    vec3 normals[2];
+    // Normals of the surfaces on both sides of each edge.
+    vec3 normals[4];
+    for (int k = 0; k < 2; ++k) {
+        uint own = sides[k];
+        uint beyond = texelFetch(neighbor_texels, int(own >> 2))[own & 3u];
+        normals[2 * k] = shading_normal(own, place);
+        normals[2 * k + 1] = shading_normal(beyond != no_side ? beyond : own, place);
+    }
     bool is_round = false;
     for (int i = 0; i < 4; ++i) {
-        // The sides of the triangles on both sides of the two edges: bit 0 says which of the first edge, bit
-        // 1 which of the second.
-        for (int k = 0; k < 2; ++k) {
-            uint own = sides[k];
-            uint beyond = texelFetch(neighbor_texels, int(own >> 2))[own & 3u];
-            normals[k] = shading_normal((i >> k & 1) == 1 && beyond != no_side ? beyond : own, place);
-        }
-        is_round = is_round || (dot(normals[0], normals[1]) > one_normal_cosine &&
-                                abs(dot(normals[0], bend)) > least_bend_along_normal);
+        vec3 arriving = normals[i & 1];
+        vec3 leaving = normals[2 + (i >> 1)];
+        is_round = is_round || (dot(arriving, leaving) > one_normal_cosine &&
+                                abs(dot(arriving, bend)) > least_bend_along_normal);
     }
     return is_round;
 }

@@ -37,8 +37,8 @@ layout(binding = 5) uniform usamplerBuffer neighbor_texels;
 #define FACING_BINDING 6
 #include "techniques/contour/chains/extract/facing.glsl"
 #include "techniques/contour/chains/stroke/kind_now.glsl"
-#include "techniques/contour/chains/stroke/meetings.glsl"
 #include "techniques/contour/chains/stroke/stroke_places.glsl"
+#include "techniques/contour/chains/stroke/meetings.glsl"
 
 layout(scalar, binding = 7) readonly buffer ShellLines
 {

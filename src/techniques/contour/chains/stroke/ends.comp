@@ -40,6 +40,7 @@ layout(scalar, binding = 5) uniform Frame
     FrameGlobals frame;
 };
 
+#include "techniques/contour/chains/stroke/stroke_places.glsl"
 #include "techniques/contour/chains/stroke/meetings.glsl"
 
 const float least_behind_mm = 1.0; // on the page

@@ -3,7 +3,8 @@
 #define ESTAMPE_STROKE_MEETINGS
 
 // Tells whether the end of a stroke meets another line. Requires before inclusion: sample_grid.glsl,
-// lists.glsl with SAMPLES_BINDING and STROKES_BEFORE_BINDING, `strokes`, shaders/unit.glsl.
+// lists.glsl with SAMPLES_BINDING and STROKES_BEFORE_BINDING, stroke_places.glsl, `strokes`, `sizes`,
+// shaders/unit.glsl.
 
 const float meeting_px = 5.0;
 // A distant part of a stroke counts as a separate line from the stroke's end on if it is more than far_along
@@ -20,9 +21,9 @@ bool is_dropped(uint other)
 bool is_cut_at(uint end, uint beyond)
 {
     bool is_there = beyond < sizes[list_samples].count;
-    LineSample next = sample_at(is_there ? beyond : end);
-    return is_there && (next.state & sample_is_off_page) == 0u &&
-           size_of(next.page_px - sample_at(end).page_px) < 2.0 * unpackHalf2x16(next.state).y;
+    uint next = is_there ? beyond : end;
+    return is_there && (sample_at(next).state & sample_is_off_page) == 0u &&
+           size_of(sample_at(next).page_px - sample_at(end).page_px) < 2.0 * spacing_px(next);
 }
 
 // The nearest sample of another line at the sample `end`, which is the first or the last sample of `stroke`;

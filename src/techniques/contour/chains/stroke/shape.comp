@@ -491,11 +491,12 @@ float taper_at(uint index, Stroke stroke, float full_px)
         blunt = sqrt(1.0 - to_round * to_round);
     }
     vec2 share = mix(tapers, blunt, is_at_line);
-    bvec2 is_behind =
-        bvec2((stroke.ends & stroke_starts_behind) != 0u, (stroke.ends & stroke_ends_behind) != 0u);
-    vec2 stopped = smoothstep(vec2(constants.gap_px), vec2(constants.gap_px + 0.5 * full_px), from_ends);
-    share *= mix(vec2(1.0), stopped,
-                 bvec2(is_behind.x && constants.gap_px > 0.0, is_behind.y && constants.gap_px > 0.0));
+    if (constants.gap_px > 0.0) {
+        bvec2 is_behind =
+            bvec2((stroke.ends & stroke_starts_behind) != 0u, (stroke.ends & stroke_ends_behind) != 0u);
+        vec2 stopped = smoothstep(vec2(constants.gap_px), vec2(constants.gap_px + 0.5 * full_px), from_ends);
+        share *= mix(vec2(1.0), stopped, is_behind);
+    }
     return min(share.x, share.y);
 }
 

@@ -5,8 +5,7 @@
 // Rounds the kinks of a chain whose surface is shaded smoothly: across the triangles of a coarse mesh a line
 // is a polygon, while the shading says that the shape is round. The rounded line is the local mean of the
 // polygon with a kernel of fourth order, which keeps lines and parabolas, so a round shape does not shrink.
-// Requires before inclusion: lists.glsl with POINTS_BINDING and LENGTHS_BEFORE_BINDING, page_piece.glsl,
-// mesh_texels.glsl, `neighbor_texels`.
+// Requires before inclusion: lists.glsl with POINTS_BINDING and LENGTHS_BEFORE_BINDING, page_piece.glsl.
 //
 // Source: Gasser, Mueller and Mammitzsch, "Kernels for Nonparametric Curve Estimation", 1985.
 

@@ -203,8 +203,7 @@ void main()
     ChainPoint from = point_at(at);
     ChainPoint to = point_at(at + 1u);
     PagePiece piece = piece_on_page(from.anchor, to.anchor);
-    float along_px = float(length - lengths_before(at)) / length_unit_px;
-    float along = along_px / max(piece.length_px, 1e-6);
+    float along = float(length - lengths_before(at)) / max(length_unit_px * piece.length_px, 1e-6);
     float share = share_at(piece, clamp(along, 0.0, 1.0));
     vec3 anchor = mix(from.anchor, to.anchor, share);
     // A line within a triangle has interpolated normals; a line along an edge has one constant normal.
