@@ -118,6 +118,9 @@ struct Material {
     /// Parts of a blended material are fully transparent. The visible shape then differs from the mesh, so
     /// the mesh's edges get no lines. load_scene() sets this value.
     bool has_clear_parts = false;
+    /// Alpha cuts out a good part of the material's surfaces, as of leaves. Lines may then run around clumps
+    /// of leaves (style key contour.clump_mm). load_scene() sets this value.
+    bool is_foliage = false;
     bool double_sided = false;
     bool unlit = false;
     std::optional<ToonShade> toon;

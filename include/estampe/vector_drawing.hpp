@@ -17,6 +17,7 @@ enum class StrokeKind : uint8_t {
     hatch,        ///< Hatching stroke, which carries tone
     shadow,       ///< Line at the edge of a cast shadow
     suggestive,   ///< Suggestive contour: a line where a surface would turn away if the camera moved slightly
+    leaf,         ///< Mark where the light ends on a clump of leaves
     crest,        ///< Line along the crest of a dune of the terrain
     valley,       ///< Valley line, along a rounded concave fold
     ridge,        ///< Ridge line, along a rounded convex fold

@@ -138,6 +138,8 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
             .screen_draw = screen.images.draw,
             .has_screen = screen.is_there && !has_chains,
             .only_cut = has_chains,
+            .has_clumps =
+                has_chains && context.loaded.layout.has_foliage && plan.variants.lines.clump_mm > 0.0F,
             .execution = context.device.execution(),
             .is_moving = is_moving,
             .brushes = context.features.lines.brushes(),

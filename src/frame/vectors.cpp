@@ -39,7 +39,8 @@ StrokeKind kind_of_line(uint32_t kind)
     constexpr std::array<StrokeKind, shared::line_kind_count> kinds{
         StrokeKind::outline, StrokeKind::border,       StrokeKind::boundary, StrokeKind::crease,
         StrokeKind::marked,  StrokeKind::ridge,        StrokeKind::valley,   StrokeKind::suggestive,
-        StrokeKind::crest,   StrokeKind::intersection, StrokeKind::shadow};
+        StrokeKind::crest,   StrokeKind::intersection, StrokeKind::shadow,   StrokeKind::outline,
+        StrokeKind::leaf};
     return kinds.at(kind);
 }
 

@@ -70,7 +70,7 @@ namespace {
 using output::escaped;
 using output::number;
 
-constexpr size_t kind_count = 14;
+constexpr size_t kind_count = 15;
 
 std::string color_text(const glm::vec3& srgb)
 {
@@ -209,8 +209,8 @@ std::string layers_by_pen(const VectorDrawing& drawing, float tolerance_mm)
 const char* name_of(StrokeKind kind)
 {
     constexpr std::array<const char*, kind_count> names{
-        "hatch",  "shadow",       "suggestive", "crest",  "valley",  "ridge", "crease",
-        "marked", "intersection", "boundary",   "border", "outline", "focus", "frame"};
+        "hatch",  "shadow",       "suggestive", "leaf",   "crest",   "valley", "ridge", "crease",
+        "marked", "intersection", "boundary",   "border", "outline", "focus",  "frame"};
     return names.at(static_cast<size_t>(kind));
 }
 

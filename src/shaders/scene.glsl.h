@@ -14,10 +14,11 @@ SHARED_CONSTANT uint no_skin = 0xffffffffU;
 
 // Flags of a DrawRecord. The flag `draw_has_uv` means that the mesh has UVs.
 SHARED_CONSTANT uint draw_has_uv = 1U;
-SHARED_CONSTANT uint draw_follows_uv = 2U; // the UVs are suitable for strokes
-SHARED_CONSTANT uint draw_mirrored = 4U;   // the draw call's transform mirrors the mesh
-SHARED_CONSTANT uint draw_unshadowed = 8U; // no shadow falls on the draw call's surfaces
-SHARED_CONSTANT uint draw_is_cut = 16U;    // alpha cuts or fades the surface, so it may end before its edges
+SHARED_CONSTANT uint draw_follows_uv = 2U;  // the UVs are suitable for strokes
+SHARED_CONSTANT uint draw_mirrored = 4U;    // the draw call's transform mirrors the mesh
+SHARED_CONSTANT uint draw_unshadowed = 8U;  // no shadow falls on the draw call's surfaces
+SHARED_CONSTANT uint draw_is_cut = 16U;     // alpha cuts or fades the surface, so it may end before its edges
+SHARED_CONSTANT uint draw_is_foliage = 32U; // leaves: alpha cuts out a good part of the surface
 
 // Masks of the fourth word of a triangle, which holds the number of the draw call and flags.
 SHARED_CONSTANT uint triangle_mirrored = 1U << 31U;

@@ -14,6 +14,7 @@
 
 namespace estampe::shared {
 
+using glm::ivec2;
 using glm::mat4;
 using glm::uvec2;
 using glm::uvec3;

@@ -124,10 +124,10 @@ constexpr std::array<std::string_view, 4> fewer_inner_lines{
     "contour.crease.angle_deg", "contour.ridge.turn_deg", "contour.suggestive.growth",
     "contour.crest.angle_deg"};
 
-constexpr std::array<std::string_view, 7> inner_lines{
-    "contour.border.enabled",     "contour.crease.enabled",     "contour.ridge.enabled",
-    "contour.valley.enabled",     "contour.suggestive.enabled", "contour.intersection.enabled",
-    "contour.shadow_edge.enabled"};
+constexpr std::array<std::string_view, 8> inner_lines{
+    "contour.border.enabled",      "contour.crease.enabled",     "contour.ridge.enabled",
+    "contour.valley.enabled",      "contour.suggestive.enabled", "contour.intersection.enabled",
+    "contour.shadow_edge.enabled", "contour.leaf.enabled"};
 constexpr std::array<std::string_view, 21> painted{
     "sky.horizon",     "sky.zenith",        "sky.noon_horizon",  "sky.noon_zenith",    "sky.dusk_horizon",
     "sky.dusk_zenith", "sky.night_horizon", "sky.night_zenith",  "sky.high_band",      "sky.low_band",

@@ -220,6 +220,7 @@ struct AlphaShares {
     double clear = 0.0;
     double solid = 0.0;
     double wholly_solid = 0.0; ///< area where alpha rounds to 255 of 255
+    double cut_out = 0.0;      ///< area where alpha is below Material::alpha_cutoff
 };
 
 double wrapped(double t, Wrap wrap)
@@ -322,6 +323,7 @@ private:
         shares_.clear += alpha < clear_below ? area : 0.0;
         shares_.solid += alpha > solid_above ? area : 0.0;
         shares_.wholly_solid += alpha > 0.995 ? area : 0.0;
+        shares_.cut_out += alpha < static_cast<double>(material_.alpha_cutoff) ? area : 0.0;
     }
 
     const Scene& scene_;
@@ -339,13 +341,20 @@ void find_cut_out_materials(Scene& scene)
     constexpr double much = 0.4;
     constexpr double some = 0.01;
     constexpr double a_part = 0.1;
+    // Share of foliage that is cut out.
+    constexpr double least_cut_out = 0.1;
     for (Index index = 0; index < scene.materials.size(); ++index) {
         Material& material = scene.materials[index];
-        if (material.alpha_mode != AlphaMode::blend || material.transmission) {
+        if (material.alpha_mode == AlphaMode::opaque || material.transmission) {
             continue;
         }
         const AlphaShares shares = AlphaMeter(scene, index).shares();
         if (!(shares.area > 0.0)) {
+            continue;
+        }
+        const bool is_cut_out = shares.cut_out >= least_cut_out * shares.area;
+        if (material.alpha_mode == AlphaMode::mask) {
+            material.is_foliage = is_cut_out;
             continue;
         }
         material.has_clear_parts = shares.clear >= some * shares.area;
@@ -355,6 +364,7 @@ void find_cut_out_materials(Scene& scene)
                    shares.clear + shares.solid >= much * shares.area) {
             material.alpha_mode = AlphaMode::mask;
             material.alpha_cutoff = 0.5F;
+            material.is_foliage = is_cut_out;
         }
     }
 }

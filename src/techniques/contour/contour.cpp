@@ -82,6 +82,12 @@ void add_kind_keys(ContourTable& table)
                  "when contour.lines is chains.");
     add(shared::line_intersection, "lines where surfaces pass through each other");
     add(shared::line_shadow, "lines along the edges of the sun's shadows");
+    add(shared::line_leaf, "marks on clumps of leaves, where the light ends on them");
+    table.number(
+        "clump_mm", &ContourStyle::clump_mm, {0.0F, 50.0F}, "mm",
+        "Size of the gaps between leaves that are drawn as one clump. Leaves are surfaces that a "
+        "texture's transparency (alpha) cuts out. More draws fewer and simpler clumps, 0 draws every "
+        "leaf. Only used when contour.lines is chains.");
 }
 
 void add_brush_keys(ContourTable& table)
@@ -245,7 +251,8 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
     detect.uniform(in.frame).sample(in.draws).sample(in.draw).sample(in.depth).sample(in.normal);
     detect.sample(in.screen_draw)
         .variant((in.has_screen ? shared::edges_has_screen : 0U) |
-                 (in.only_cut ? shared::edges_only_cut : 0U));
+                 (in.only_cut ? shared::edges_only_cut : 0U) |
+                 (in.has_clumps ? shared::edges_has_clumps : 0U));
     const gpu::BufferId count = detect.modify(none);
     const gpu::BufferId edges =
         detect.write(graph.buffer("contour/edges", {.size_bytes = capacity * sizeof(shared::EdgePixel)}));

@@ -14,6 +14,7 @@ SHARED_CONSTANT uint no_seed = 0xffffffffU;
 // first word of a bit's name is the shader's name.
 SHARED_CONSTANT uint edges_has_screen = 1U << 0U; // the scene has see-through surfaces
 SHARED_CONSTANT uint edges_only_cut = 1U << 1U;   // draws lines only where a texture's alpha cuts the surface
+SHARED_CONSTANT uint edges_has_clumps = 1U << 2U; // foliage has lines around clumps, and none around leaves
 // At least one material sets the ink and width of its outline.
 SHARED_CONSTANT uint seeds_has_own_outlines = 1U << 0U;
 SHARED_CONSTANT uint stroke_has_own_outlines = 1U << 0U;

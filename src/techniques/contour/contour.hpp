@@ -63,6 +63,8 @@ struct ContourStyle {
     float crest_deg = 3.0F;
     LineStyle intersection;
     LineStyle shadow_edge{.enabled = false};
+    LineStyle leaf{.width_mm = 0.2F};
+    float clump_mm = 2.0F;
     float depth_step = 1.0F;
     std::string brush = "pen";
     BrushFit brush_fit = BrushFit::repeat;
@@ -95,8 +97,8 @@ struct LineKind {
 };
 
 /// Kinds of lines in the style, indexed by shared::line_silhouette and so on. The style's outlines are
-/// silhouettes and the open edges of a mesh (shared::line_border). The style's borders separate materials
-/// (shared::line_boundary).
+/// silhouettes, the open edges of a mesh (shared::line_border), and lines around clumps of leaves
+/// (shared::line_clump). The style's borders separate materials (shared::line_boundary).
 inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
     {{"outline", "around objects", &ContourStyle::outline},
      {"outline", "where surfaces end", &ContourStyle::outline},
@@ -108,7 +110,9 @@ inline constexpr std::array<LineKind, shared::line_kind_count> line_kinds{
      {"suggestive", "along almost-outlines (suggestive contours)", &ContourStyle::suggestive},
      {"crest", "along crests of dunes", &ContourStyle::crest},
      {"intersection", "where surfaces pass through each other", &ContourStyle::intersection},
-     {"shadow_edge", "along edges of the sun's shadows", &ContourStyle::shadow_edge}}};
+     {"shadow_edge", "along edges of the sun's shadows", &ContourStyle::shadow_edge},
+     {"outline", "around clumps of leaves", &ContourStyle::outline},
+     {"leaf", "where the light ends on clumps of leaves", &ContourStyle::leaf}}};
 
 [[nodiscard]] inline const LineStyle& line_style(const ContourStyle& style, uint32_t kind)
 {
@@ -177,6 +181,8 @@ struct ContourInputs {
     gpu::ImageId screen_draw;
     bool has_screen = false;
     bool only_cut = false; ///< draws lines only where a texture's alpha cuts the surface
+    /// The scene has foliage, and chains draw lines around clumps of it instead of around every leaf.
+    bool has_clumps = false;
     gpu::ExecutionProfile execution;
     bool is_moving = false;         ///< the scene or the camera has moved since the previous frame
     BrushImages* brushes = nullptr; ///< brush pictures of contour chains; null if all lines are plain

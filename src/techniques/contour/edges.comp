@@ -46,6 +46,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_screen = (variant & edges_has_screen) != 0u;
 const bool only_cut = (variant & edges_only_cut) != 0u;
+const bool has_clumps = (variant & edges_has_clumps) != 0u;
 
 ivec2 on_page(ivec2 pixel)
 {
@@ -107,9 +108,11 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
     return is_crease ? constants.crease_px : 0.0;
 }
 
+// Whether the surface gets lines between pixels although other surfaces have chains.
 bool is_cut(uint word)
 {
-    return sees_draw(word) && (draw_links_at(draw_of(word)).flags & draw_is_cut) != 0u;
+    uint flags = sees_draw(word) ? draw_links_at(draw_of(word)).flags : 0u;
+    return (flags & draw_is_cut) != 0u && !(has_clumps && (flags & draw_is_foliage) != 0u);
 }
 
 float line_width(Seen a, Seen b, ivec2 before, ivec2 after)

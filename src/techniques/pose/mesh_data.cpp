@@ -179,8 +179,11 @@ private:
                 draw.object = node_index;
                 draw.flags = (uploaded.follows_uv ? shared::draw_follows_uv : 0U) |
                              (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
-                draw.flags |= is_cut(scene_.materials[primitive.material]) ? shared::draw_is_cut : 0U;
-                link(draw, node.links, scene_.materials[primitive.material].links);
+                const Material& material = scene_.materials[primitive.material];
+                draw.flags |= is_cut(material) ? shared::draw_is_cut : 0U;
+                draw.flags |= material.is_foliage ? shared::draw_is_foliage : 0U;
+                data_.has_foliage = data_.has_foliage || material.is_foliage;
+                link(draw, node.links, material.links);
                 data_.sources.push_back(
                     {.node = node_index,
                      .primitive = static_cast<uint32_t>(&original - mesh.primitives.data()),

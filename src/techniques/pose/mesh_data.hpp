@@ -75,6 +75,7 @@ struct MeshData {
     /// Most layers of `blended` triangles behind each other from any view, counted up to 8.
     uint32_t blended_sheets = 0;
     std::vector<CasterRun> casters; ///< parts of `opaque` and `masked` that cast shadows
+    bool has_foliage = false;       ///< some draw call has the flag shared::draw_is_foliage
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;
     /// First vertex of the foreign mesh (not in the scene's file), if any.

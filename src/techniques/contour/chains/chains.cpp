@@ -175,7 +175,7 @@ struct Marks {
     gpu::BufferId words;
     gpu::BufferId before;
     gpu::BufferId sizes;
-    InlineVector<PageLines, 2> page_lines;
+    InlineVector<PageLines, most_page_lines> page_lines;
 };
 
 /// Number of words of mark bits (1: a line runs through) for triangles and loose edges. The mark bits of the
@@ -254,7 +254,8 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
         marks = suggestive.modify(marks);
         suggestive.push(constants).dispatch(mark_groups(constants.suggestive_count, in.execution));
     }
-    const InlineVector<PageLines, 2> page_lines = add_page_lines(graph, in, mesh_words(constants));
+    const InlineVector<PageLines, most_page_lines> page_lines =
+        add_page_lines(graph, in, mesh_words(constants));
     for (const PageLines& lines : page_lines) {
         marks = add_cell_marks(graph, lines, in.size_px, marks);
     }
@@ -290,6 +291,7 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .crest_deg = style.crest_deg,
                        .meetings = has_lines(style, shared::line_intersection) && mesh.shell_count > 1,
                        .sun = {},
+                       .foliage = {},
                        .step_px = in.line_step_px,
                        .pixels_per_mm = in.pixels_per_mm,
                        .shortest_px = style.shortest_mm * in.pixels_per_mm,
@@ -305,12 +307,22 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                                .depth = in.depth,
                                .normal = in.normal};
     }
+    if (in.has_clumps) {
+        inputs.foliage = FoliagePixels{.visibility = in.visibility,
+                                       .draws = in.draws,
+                                       .draw = in.draw,
+                                       .depth = in.depth,
+                                       .light = in.light,
+                                       .clump_px = style.clump_mm * in.pixels_per_mm,
+                                       .has_marks = has_lines(style, shared::line_leaf)};
+    }
     return inputs;
 }
 
 Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges)
 {
-    const uint32_t words_of_page = ((in.meetings ? 1 : 0) + (in.sun ? 1 : 0)) * page_words(in.size_px);
+    const uint32_t words_of_page =
+        ((in.meetings ? 1 : 0) + (in.sun ? 1 : 0) + (in.foliage ? 1 : 0)) * page_words(in.size_px);
     const uint32_t suggestive_count = mesh.bending_count > 0 || in.crests ? mesh.triangle_count : 0;
     const uint32_t segments_most = segment_capacity(mesh, suggestive_count, along_edges, 32 * words_of_page);
     const shared::ChainConstants constants{.triangle_count = mesh.triangle_count,

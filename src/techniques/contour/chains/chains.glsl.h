@@ -27,7 +27,9 @@ SHARED_CONSTANT uint line_suggestive = 7U;
 SHARED_CONSTANT uint line_crest = 8U;
 SHARED_CONSTANT uint line_intersection = 9U;
 SHARED_CONSTANT uint line_shadow = 10U;
-SHARED_CONSTANT uint line_kind_count = 11U;
+SHARED_CONSTANT uint line_clump = 11U; // around a clump of leaves
+SHARED_CONSTANT uint line_leaf = 12U;  // a mark where the light ends on a clump
+SHARED_CONSTANT uint line_kind_count = 13U;
 // Number of the first kind of line that is found between the pixels of the page, not on the mesh.
 SHARED_CONSTANT uint line_first_of_page = line_intersection;
 
@@ -54,6 +56,12 @@ SHARED_CONSTANT uint mark_along_edges = 1U << 0U;
 SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;
 // Outlines follow only edges of the mesh and do not cross triangles.
 SHARED_CONSTANT uint emit_along_edges = 1U << 1U;
+
+// The second of two passes, which adds along columns what the first pass has added along rows.
+SHARED_CONSTANT uint light_foliage_adds_rows = 1U << 0U;
+
+// The lines run around clumps of foliage.
+SHARED_CONSTANT uint emit_cells_of_clumps = 1U << 0U;
 
 // Some points of feature lines (creases and other lines fixed to the surface) lie between vertices, and some
 // segments of feature lines cross triangles.
@@ -130,6 +138,8 @@ SHARED_CONSTANT uint bound_in_second = 2U;
 SHARED_CONSTANT uint crossing_is_there = 0x80000000U;
 SHARED_CONSTANT uint crossing_rises = 0x40000000U;
 SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
+// The line is a mark on a clump of foliage, not the clump's outline.
+SHARED_CONSTANT uint crossing_is_mark = 0x10000000U;
 
 // Value for a closed chain that cannot be cut open, because the chain has neither a hidden part nor a corner.
 SHARED_CONSTANT uint no_rotation = 0xffffffffU;
@@ -344,6 +354,7 @@ struct DropConstants {
     float shortest_px; // length of the shortest stroke that is no scrap, in pixels
     float gap_px;      // how far before a nearer line a line stops
     float pixels_per_mm;
+    float clump_px; // size of the gaps between leaves that are drawn as one clump
 };
 
 // The page lattice: a grid of points on the page, between which lines are found. See page_cells.glsl.
@@ -354,6 +365,17 @@ struct CellConstants {
     uint word_count; // total number of words of mark bits (1: a line runs through)
     uint kind;
     float point_px; // position of a lattice point within its pixel, equal for x and y
+    float clump_px; // size of the gaps between leaves that are drawn as one clump
+    uint has_marks; // 1 if marks are drawn where the light ends on clumps
+};
+
+// For the passes that find clumps of foliage on the page lattice.
+struct FoliageConstants {
+    uint columns;
+    uint rows;
+    uint reach;    // reach of a mean, in points of the lattice
+    uint shrinks;  // 1 if clumps shrink, 0 if they grow
+    ivec2 ring[8]; // the points of a ring, relative to the point at its middle
 };
 
 // Curvature of a surface at a vertex, as in contour::Bending, in units of the object's size. The tangent of

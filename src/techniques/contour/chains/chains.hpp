@@ -205,6 +205,17 @@ struct SunPixels {
     gpu::ImageId normal;
 };
 
+/// Inputs for finding clumps of foliage.
+struct FoliagePixels {
+    gpu::BufferId visibility; ///< visibility buffer of all solid surfaces
+    gpu::BufferId draws;
+    gpu::ImageId draw;
+    gpu::ImageId depth;
+    gpu::ImageId light;
+    float clump_px = 0.0F;  ///< size of the gaps between leaves that are drawn as one clump
+    bool has_marks = false; ///< draws marks where the light ends on clumps
+};
+
 /// Inputs for linking lines into chains.
 struct ChainInputs {
     gpu::BufferId frame;
@@ -220,6 +231,8 @@ struct ChainInputs {
     bool meetings = false; ///< draws lines where two connected surfaces intersect
     /// Inputs for the edges of the sun's shadow; empty if the style does not draw them.
     std::optional<SunPixels> sun;
+    /// Inputs for lines around clumps of foliage; empty if the style or the scene has none.
+    std::optional<FoliagePixels> foliage;
     float step_px = 3.0F;       ///< approximate distance between samples, in pixels
     float pixels_per_mm = 1.0F; ///< of the page
     float shortest_px = 0.0F;   ///< a shorter visible part of a line is not drawn

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread makes one segment of a line that was found on the page. The segment runs from one side of its
 // cell to another side; the next segment lies in the adjacent cell. Each end of the segment is placed on the
-// surface that is seen at the start of the side.
+// surface that is seen at the start of the side, or on the clump of foliage of which it is the outline.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -48,6 +48,12 @@ layout(push_constant, scalar) uniform Constants
     CellConstants constants;
 };
 
+layout(constant_id = 0) const uint variant = 0u;
+const bool is_of_clumps = (variant & emit_cells_of_clumps) != 0u;
+
+#define FOLIAGE_BINDING 10
+#include "techniques/contour/chains/extract/foliage.glsl"
+
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
 #define CROSSINGS_BINDING 4
@@ -58,6 +64,25 @@ struct End {
     uint normal;
     uint triangle;
 };
+
+// The place where the outline of a clump crosses a side: as far from the eye as the clump.
+End end_at_clump(CellSide side)
+{
+    Crossing crossing = crossing_at(side);
+    ivec2 way = side.is_down ? ivec2(0, 1) : ivec2(1, 0);
+    FoliagePoint clump = foliage_at(ivec2(side.point) + (crossing.rises ? way : ivec2(0)));
+    vec2 place =
+        vec2(pixel_of_point(side.point)) + constants.point_px + float(cell_px) * crossing.share * vec2(way);
+    uvec2 word = visibility_at(ivec2(clump.pixel & 0xffffu, clump.pixel >> 16));
+    return End(anchor_at(frame, place, max(depth_of(clump), 1e-9)), 0u,
+               sees_triangle(word) ? seen_triangle(word) : 0u);
+}
+
+// The direction away from a clump beside its outline, which has the clump on its left.
+vec3 away_from_clump(vec3 from, vec3 to)
+{
+    return cross(unit(to - from + 1e-9 * frame.view_forward), towards_eye(frame, from));
+}
 
 End end_at(CellSide side)
 {
@@ -110,11 +135,18 @@ void main()
         uint side = end == 0 ? line.from : line.to;
         from = to;
         previous = next;
-        to = end_at(cell_side(cell, side));
+        to = is_of_clumps ? end_at_clump(cell_side(cell, side)) : end_at(cell_side(cell, side));
         next = segment_beyond(cell, side, segment_count);
     }
+    uint kind = constants.kind;
+    if (is_of_clumps) {
+        CellSide start = cell_side(cell, line.from);
+        uvec2 words = crossing_words(start.point);
+        kind = ((start.is_down ? words.y : words.x) & crossing_is_mark) != 0u ? line_leaf : line_clump;
+        from.normal = to.normal = pack_normal(away_from_clump(from.position, to.position));
+    }
     segments[slot] =
-        Segment(from.position, from.normal, to.position, to.normal,
-                constants.kind << 28 | from.triangle << 2 | 3u, next, previous != no_segment ? 1u : 0u, 0.0);
+        Segment(from.position, from.normal, to.position, to.normal, kind << 28 | from.triangle << 2 | 3u,
+                next, previous != no_segment ? 1u : 0u, 0.0);
     ranks[slot] = next != no_segment ? Rank(next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
 }

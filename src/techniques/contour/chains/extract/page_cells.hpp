@@ -2,8 +2,9 @@
 #pragma once
 
 // Lines that follow no edge of a mesh. Such lines are found between the pixels of the page: where surfaces
-// intersect, and where shadows end.
+// intersect, where shadows end, and around clumps of leaves.
 
+#include <optional>
 #include <vector>
 
 #include "core/inline_vector.hpp"
@@ -22,7 +23,12 @@ struct PageLines {
     /// Index of the first word of mark bits (1: a line runs through) for the cells through which the lines
     /// run.
     uint32_t first_word;
+    /// For lines around clumps: what the lattice shows, see foliage.glsl.
+    std::optional<gpu::BufferId> foliage;
 };
+
+/// Largest number of kinds of lines that are found between the pixels of the page.
+inline constexpr size_t most_page_lines = 3;
 
 /// Number of words of mark bits (1: a line runs through) that one kind of line needs on a page of `size_px`.
 [[nodiscard]] uint32_t page_words(glm::uvec2 size_px);
@@ -31,10 +37,11 @@ struct PageLines {
 /// after kind, from word `first_word` on.
 ///
 /// Cost    one thread for four pixels, per kind of line; for intersections, one more thread where two shells
-/// (connected surfaces) adjoin on the page
-/// Source  cells: Lorensen and Cline, "Marching Cubes", 1987, in the plane
-[[nodiscard]] InlineVector<PageLines, 2> add_page_lines(gpu::Graph& graph, const ChainInputs& in,
-                                                        uint32_t first_word);
+/// (connected surfaces) adjoin on the page; for clumps, about fifteen passes of one thread for four pixels
+/// Source  cells: Lorensen and Cline, "Marching Cubes", 1987, in the plane; clumps: Serra, "Image Analysis
+/// and Mathematical Morphology", 1982
+[[nodiscard]] InlineVector<PageLines, most_page_lines>
+add_page_lines(gpu::Graph& graph, const ChainInputs& in, uint32_t first_word);
 
 /// Writes the mark bits (1: a line runs through) of the cells through which `lines` run.
 [[nodiscard]] gpu::BufferId add_cell_marks(gpu::Graph& graph, const PageLines& lines, glm::uvec2 size_px,

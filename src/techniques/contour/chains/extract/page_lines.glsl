@@ -52,7 +52,11 @@ CellLine line_through(uvec2 cell)
     uvec4 rise = is_there & is_rise;
     uvec4 fall = is_there & ~is_rise;
     bool is_one = rise.x + rise.y + rise.z + rise.w == 1u && fall.x + fall.y + fall.z + fall.w == 1u;
-    return CellLine(is_one, rise.y + 2u * rise.z + 3u * rise.w, fall.y + 2u * fall.z + 3u * fall.w);
+    // A mark does not go on as an outline.
+    uvec4 is_mark = is_there & min(sides & crossing_is_mark, uvec4(1u));
+    uint marks = is_mark.x + is_mark.y + is_mark.z + is_mark.w;
+    return CellLine(is_one && (marks == 0u || marks == 2u), rise.y + 2u * rise.z + 3u * rise.w,
+                    fall.y + 2u * fall.z + 3u * fall.w);
 }
 
 #endif

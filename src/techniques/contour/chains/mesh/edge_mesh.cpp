@@ -106,6 +106,8 @@ private:
             for (int k = 0; k < 3 && soup_.bodies[t] != no_side; ++k) {
                 mesh_.triangles[t][k] = stands_for_[mesh_.triangles[t][k]];
             }
+            // The flag also keeps the outline of the smooth surface away from triangles without lines.
+            mesh_.triangles[t].w |= soup_.bodies[t] == no_side ? shared::triangle_is_flat : 0U;
         }
     }
 

@@ -2,8 +2,8 @@
 // Four threads test one stroke. A short stroke that runs beside a longer stroke is dropped, for example the
 // far side of a cusp. A stroke that was found on the page is also dropped if it runs beside a stroke of the
 // mesh, whatever the length. For example, where a box stands on the ground, the box's edge already has a
-// line. Scraps and the outlines of bumps are dropped too, see is_scrap() and is_bump(). The shader also
-// resets the data that strokes inherit from the previous frame.
+// line. Scraps, the outlines of bumps and short lines on foliage are dropped too, see is_scrap(), is_bump()
+// and is_twig(). The shader also resets the data that strokes inherit from the previous frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -62,6 +62,10 @@ const uint least_page_steps = 3u;
 const float most_share = 0.5;
 // The area that an outline must hide behind it, on the page: a multiple of the shortest stroke's square.
 const float least_area = 0.5;
+// The least lengths of a line around a gap in a clump of leaves, and of a line within a clump, as multiples
+// of the size of gaps that are closed.
+const float least_hole = 6.0;
+const float least_line = 2.5;
 
 // Whether a place lies beside the stroke `stroke` of the sample `other`: not before the stroke's start or
 // after its end.
@@ -97,6 +101,17 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
         }
     }
     return is_there;
+}
+
+// Whether a line of foliage is too short beside the size of clumps: a closed line around a small gap, or an
+// open line that is not part of a longer outline.
+bool is_twig(Stroke stroke)
+{
+    LineSample start = sample_at(stroke.first);
+    bool is_ring = (start.state & sample_in_ring) != 0u;
+    bool goes_on = ((start.state | sample_at(stroke.last).state) & sample_is_corner) != 0u;
+    float least_px = constants.clump_px * (is_ring ? least_hole : goes_on ? 0.0 : least_line);
+    return start.source >> 28 == line_clump && whole_length(stroke.first, stroke) < least_px;
 }
 
 // Whether a stroke is too short to say anything. Short strokes are kept where they are whole lines that close
@@ -175,7 +190,8 @@ void main()
         (steps <= most_steps || of_page) && float(beside[lane]) > most_share * float(sample_steps + 1u);
     is_dropped = is_dropped || (of_page && steps < least_page_steps);
     float step_mm = float(steps_behind[lane]) / (sample_steps_a_mm * float(sample_steps + 1u));
-    is_dropped = is_dropped || is_scrap(strokes[own], step_mm) || is_bump(strokes[own], step_mm);
+    is_dropped = is_dropped || is_scrap(strokes[own], step_mm) || is_bump(strokes[own], step_mm) ||
+                 is_twig(strokes[own]);
     strokes[own].ends = is_dropped ? stroke_is_dropped : 0u;
     strokes[own].recalled = no_sample;
     strokes[own].offset_sum = 0;

@@ -131,7 +131,7 @@ float weight_at(uint index)
 {
     LineSample point = sample_at(index);
     uint kind = kind_now(point.source);
-    if (kind != line_silhouette && kind != line_border) {
+    if (kind != line_silhouette && kind != line_border && kind != line_clump) {
         return 1.0;
     }
     float step_mm = depth_step_mm(point.state);

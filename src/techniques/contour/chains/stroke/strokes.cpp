@@ -95,7 +95,8 @@ ChainStrokes find_ends(gpu::Graph& graph, const ChainInputs& in, const ChainSamp
     const shared::DropConstants constants{.size_px = in.size_px,
                                           .shortest_px = lines == LineClass::seen ? in.shortest_px : 0.0F,
                                           .gap_px = lines == LineClass::seen ? in.gap_px : 0.0F,
-                                          .pixels_per_mm = in.pixels_per_mm};
+                                          .pixels_per_mm = in.pixels_per_mm,
+                                          .clump_px = in.foliage ? in.foliage->clump_px : 0.0F};
     auto clear = graph.compute("contour/clear grid", shaders::clear_grid_comp);
     strokes.grid = clear.write(strokes.grid);
     gpu::BufferId shell_lines =
