@@ -160,9 +160,10 @@ gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs
 {
     const FramePlan& plan = context.plan;
     const pose::MeshData& layout = context.loaded.layout;
+    const bool is_cut = layout.has_cut_outs || (layout.has_foliage && !in.has_clumps);
     const bool has_cuts =
-        layout.masked.count > 0 ||
-        (layout.blended.count > 0 && transparency::has_opaque_parts(context.style.transparency));
+        is_cut && (layout.masked.count > 0 ||
+                   (layout.blended.count > 0 && transparency::has_opaque_parts(context.style.transparency)));
     return context.features.lines.record(context.graph, in,
                                          {.style = plan.variants.lines,
                                           .has_cuts = has_cuts,

@@ -241,6 +241,21 @@ TEST(CutOuts, SoftHairIsMaskedAndSmokeHasNoEdges)
     EXPECT_FALSE(clear_parts([](const glm::dvec2&) { return 0.3; }));
 }
 
+TEST(CutOuts, FoliageIsWhatIsCutOutToAGoodPart)
+{
+    const auto is_foliage = [](AlphaMode mode, double least_radius) {
+        Scene scene = card(
+            [&](const glm::dvec2& place) { return distance_from_middle(place) < least_radius ? 0.0 : 1.0; });
+        material_of(scene).alpha_mode = mode;
+        find_cut_out_materials(scene);
+        return material_of(scene).is_foliage;
+    };
+    EXPECT_TRUE(is_foliage(AlphaMode::mask, 0.3));
+    EXPECT_TRUE(is_foliage(AlphaMode::blend, 0.3));
+    EXPECT_FALSE(is_foliage(AlphaMode::mask, 0.1)) << "a wall with a small hole";
+    EXPECT_FALSE(is_foliage(AlphaMode::opaque, 0.3));
+}
+
 TEST(CutOuts, AClearMaterialStaysBlended)
 {
     Scene scene = card([](const glm::dvec2&) { return 1.0; });

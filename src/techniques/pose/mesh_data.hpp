@@ -75,6 +75,7 @@ struct MeshData {
     /// Most layers of `blended` triangles behind each other from any view, counted up to 8.
     uint32_t blended_sheets = 0;
     std::vector<CasterRun> casters; ///< parts of `opaque` and `masked` that cast shadows
+    bool has_cut_outs = false;      ///< some draw call has the flag draw_is_cut, but not draw_is_foliage
     bool has_foliage = false;       ///< some draw call has the flag shared::draw_is_foliage
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;
