@@ -140,6 +140,7 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
             .only_cut = has_chains,
             .has_clumps =
                 has_chains && context.loaded.layout.has_foliage && plan.variants.lines.clump_mm > 0.0F,
+            .tone = light::tone_constants(context.style.tone),
             .execution = context.device.execution(),
             .is_moving = is_moving,
             .brushes = context.features.lines.brushes(),

@@ -11,6 +11,7 @@
 #include "gpu/execution_profile.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
+#include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
 #include "techniques/contour/chains/chains.glsl.h"
 
@@ -183,6 +184,7 @@ struct ContourInputs {
     bool only_cut = false; ///< draws lines only where a texture's alpha cuts the surface
     /// The scene has foliage, and chains draw lines around clumps of it instead of around every leaf.
     bool has_clumps = false;
+    shared::ToneConstants tone{}; ///< tone curve of the style, for marks on foliage
     gpu::ExecutionProfile execution;
     bool is_moving = false;         ///< the scene or the camera has moved since the previous frame
     BrushImages* brushes = nullptr; ///< brush pictures of contour chains; null if all lines are plain

@@ -313,6 +313,7 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                                        .draw = in.draw,
                                        .depth = in.depth,
                                        .light = in.light,
+                                       .tone = in.tone,
                                        .clump_px = style.clump_mm * in.pixels_per_mm,
                                        .has_marks = has_lines(style, shared::line_leaf)};
     }

@@ -9,9 +9,11 @@
 // segment. One segment represents each chain; the slots of the chain's remaining segments stay empty.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
+#include "shaders/tone.glsl.h"
 namespace estampe::shared {
 #else
 #include "shaders/shared.glsl"
+#include "shaders/tone.glsl.h"
 #endif
 
 // The kinds of lines. The number of a kind fits in four bits.
@@ -376,6 +378,7 @@ struct FoliageConstants {
     uint reach;    // reach of a mean, in points of the lattice
     uint shrinks;  // 1 if clumps shrink, 0 if they grow
     ivec2 ring[8]; // the points of a ring, relative to the point at its middle
+    ToneConstants tone;
 };
 
 // Curvature of a surface at a vertex, as in contour::Bending, in units of the object's size. The tangent of

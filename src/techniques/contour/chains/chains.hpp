@@ -212,8 +212,9 @@ struct FoliagePixels {
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId light;
-    float clump_px = 0.0F;  ///< size of the gaps between leaves that are drawn as one clump
-    bool has_marks = false; ///< draws marks where the light ends on clumps
+    shared::ToneConstants tone; ///< converts light to the tone in which marks are found
+    float clump_px = 0.0F;      ///< size of the gaps between leaves that are drawn as one clump
+    bool has_marks = false;     ///< draws marks where the light ends on clumps
 };
 
 /// Inputs for linking lines into chains.

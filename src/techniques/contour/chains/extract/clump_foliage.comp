@@ -37,8 +37,10 @@ void main()
     int count = shrinks && !is_foliage(own) ? 0 : 8;
     for (int i = 0; i < loop_rounds(count, int(constants.columns)); ++i) {
         FoliagePoint other = foliage_at(ivec2(point) + constants.ring[i]);
-        bool grows_here = is_foliage(other) && other.place > best.place;
-        bool shrinks_here = is_foliage(own) && other.place < best.place;
+        uint other_depth = other.place & foliage_depth_mask;
+        uint best_depth = best.place & foliage_depth_mask;
+        bool grows_here = is_foliage(other) && other_depth > best_depth;
+        bool shrinks_here = is_foliage(own) && other_depth < best_depth;
         if (shrinks ? shrinks_here : grows_here) {
             best = other;
         }

@@ -27,7 +27,9 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 3) uniform usamplerBuffer light_texels;
 
-layout(scalar, binding = 4) writeonly buffer Crossings
+#define FOLIAGE_PIXELS_BINDING 4
+
+layout(scalar, binding = 7) writeonly buffer Crossings
 {
     uvec2 crossings[];
 };
@@ -38,10 +40,11 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/contour/chains/extract/foliage.glsl"
+#include "techniques/contour/chains/extract/foliage_pixels.glsl"
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
 // The least step in depth between two clumps, as a multiple of the clumps' size on the page.
-const float least_steps = 3.0;
+const float least_steps = 4.0;
 const float mark_share = 0.5; // share of the leaves that get a mark where the light ends
 
 bool is_on_lattice(ivec2 point)
@@ -94,6 +97,33 @@ float share_before(ivec2 point, uint limit)
     return sum / 9.0;
 }
 
+// Share of the 25 pixels around a point that show foliage in front of `limit`.
+float share_seen_before(ivec2 point, uint limit)
+{
+    ivec2 last = ivec2(frame.size_px) - 1;
+    ivec2 middle = pixel_of_point(uvec2(point));
+    Cells around = Cells(middle - 2, middle + 2);
+    float sum = 0.0;
+    for (ivec2 at = around.low; at.y <= around.high.y; at = next_cell(at, around)) {
+        uint place = foliage_place(clamp(at, ivec2(0), last));
+        sum += (place & 1u) != 0u && place > limit ? 1.0 : 0.0;
+    }
+    return sum / 25.0;
+}
+
+// Where the outline of a clump crosses the side between two points. Where a leaf ends between the points, the
+// outline follows the leaf. Elsewhere, it follows the clump.
+float share_of_outline(ivec2 from, ivec2 to, uint limit, bool rises)
+{
+    float before = share_seen_before(from, limit) - 0.5;
+    float after = share_seen_before(to, limit) - 0.5;
+    if (before * after >= 0.0 || (after > before) != rises) {
+        before = share_before(from, limit) - 0.5;
+        after = share_before(to, limit) - 0.5;
+    }
+    return before * after < 0.0 ? before / (before - after) : 0.5;
+}
+
 // The mean light on the foliage around a point.
 float light_around(ivec2 point)
 {
@@ -119,9 +149,7 @@ uint crossing_between(ivec2 from, ivec2 to)
     bool rises = is_before(to, b, from, a);
     if (falls || rises) {
         uint limit = (a.place >> 1) + (b.place >> 1);
-        float before = share_before(from, limit) - 0.5;
-        float after = share_before(to, limit) - 0.5;
-        float share = before * after < 0.0 ? before / (before - after) : 0.5;
+        float share = share_of_outline(from, to, limit, rises);
         return pack_crossing(Crossing(true, rises, false, share));
     }
     bool is_one_clump = is_foliage(a) && is_foliage(b) && constants.has_marks != 0u;

@@ -6,9 +6,9 @@
 // before inclusion: `constants` with the members columns and rows; FOLIAGE_BINDING.
 
 // A point of the lattice. `place` holds the reversed depth (1 at the near plane, 0 at infinity) in the upper
-// bits, then 7 bits for the light (0 dark to 127 lit), and the lowest bit says that the point shows foliage.
-// Numbers of nearer points are larger. `pixel` is the pixel whose surface is seen at the point, which lies
-// elsewhere if the point was added to a clump: y << 16 | x.
+// bits, then 7 bits for the lightness of the tone (127 is white), and the lowest bit says that the point
+// shows foliage. Numbers of nearer points are larger. `pixel` is the pixel whose surface is seen at the
+// point, which lies elsewhere if the point was added to a clump: y << 16 | x.
 struct FoliagePoint {
     uint place;
     uint pixel;

@@ -78,6 +78,12 @@ PageLines add_shadow_edges(gpu::Graph& graph, const ChainInputs& in, const SunPi
     return {.crossings = crossings, .kind = shared::line_shadow, .first_word = first_word, .foliage = {}};
 }
 
+/// Binds what foliage_pixels.glsl reads.
+void sample_pixels(gpu::Pass& pass, const FoliagePixels& pixels)
+{
+    pass.sample(pixels.draws).sample(pixels.draw).sample(pixels.depth);
+}
+
 /// Finds clumps of foliage on the page lattice.
 class FoliagePasses {
 public:
@@ -89,14 +95,13 @@ public:
     [[nodiscard]] gpu::BufferId see()
     {
         auto see = graph_.compute("contour/see foliage", shaders::see_foliage_comp);
-        see.sample(in_.foliage->draws)
-            .sample(in_.foliage->draw)
-            .sample(in_.foliage->depth)
-            .sample(in_.foliage->light);
-        return written(see, "contour/foliage", sizeof(glm::uvec2), {});
+        sample_pixels(see, *in_.foliage);
+        see.sample(in_.foliage->light);
+        return written(see, "contour/foliage", sizeof(glm::uvec2), {.tone = in_.foliage->tone});
     }
 
-    /// Grows or shrinks clumps by `radius` points of the lattice.
+    /// Grows or shrinks clumps by `radius` points of the lattice. What was grown and is shrunk by the same
+    /// radius keeps its outline, except in gaps.
     [[nodiscard]] gpu::BufferId resized(gpu::BufferId foliage, uint32_t radius, bool shrinks)
     {
         bool is_turned = false;
@@ -148,7 +153,7 @@ private:
 };
 
 // Radius of the smallest bulge of a clump's outline, as a share of the size of gaps that are closed.
-constexpr float bulge_share = 0.25F;
+constexpr float bulge_share = 0.4F;
 // Reach of the mean light on foliage, as a share of the size of gaps that are closed.
 constexpr float light_share = 1.5F;
 
@@ -163,9 +168,8 @@ PageLines add_clumps(gpu::Graph& graph, const ChainInputs& in, uint32_t first_wo
     const gpu::BufferId seen = passes.see();
     const uint32_t gap = points(0.5F);
     const uint32_t bulge = points(bulge_share);
-    const gpu::BufferId closed = passes.resized(seen, gap, false);
-    const gpu::BufferId opened = passes.resized(closed, gap + bulge, true);
-    const gpu::BufferId clumps = passes.resized(opened, bulge, false);
+    const gpu::BufferId closed = passes.resized(passes.resized(seen, gap, false), gap, true);
+    const gpu::BufferId clumps = passes.resized(passes.resized(closed, bulge, true), bulge, false);
     const gpu::BufferId light = passes.light(seen, points(light_share));
 
     shared::CellConstants constants = cell_constants(in.size_px, shared::line_clump, first_word);
@@ -174,6 +178,7 @@ PageLines add_clumps(gpu::Graph& graph, const ChainInputs& in, uint32_t first_wo
     auto cross = graph.compute("contour/cross clumps", shaders::cross_clumps_comp);
     cross.uniform(in.frame).sample(in.foliage->visibility, gpu::Format::rg32ui);
     cross.sample(clumps, gpu::Format::rg32ui).sample(light, gpu::Format::r32ui);
+    sample_pixels(cross, *in.foliage);
     const gpu::BufferId crossings = cross.write(
         graph.buffer("contour/clump crossings", list_of(point_count(in.size_px), sizeof(glm::uvec2))));
     cross.push(constants).dispatch_over(constants.columns, constants.rows);

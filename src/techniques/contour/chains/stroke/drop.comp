@@ -65,7 +65,7 @@ const float least_area = 0.5;
 // The least lengths of a line around a gap in a clump of leaves, and of a line within a clump, as multiples
 // of the size of gaps that are closed.
 const float least_hole = 6.0;
-const float least_line = 2.5;
+const float least_line = 4.0;
 
 // Whether a place lies beside the stroke `stroke` of the sample `other`: not before the stroke's start or
 // after its end.

@@ -5,6 +5,7 @@
 // Rounds the kinks of a chain whose surface is shaded smoothly: across the triangles of a coarse mesh a line
 // is a polygon, while the shading says that the shape is round. The rounded line is the local mean of the
 // polygon with a kernel of fourth order, which keeps lines and parabolas, so a round shape does not shrink.
+// The same mean evens the steps of lines that were found on the page lattice.
 // Requires before inclusion: lists.glsl with POINTS_BINDING and LENGTHS_BEFORE_BINDING, page_piece.glsl.
 //
 // Source: Gasser, Mueller and Mammitzsch, "Kernels for Nonparametric Curve Estimation", 1985.
@@ -27,6 +28,8 @@ const float most_turn = 0.6;
 // A single kink is moved by this share of half the kernel's width, times the kink's angle in radians.
 const float moved_by_kink = 0.078;
 const float straight_rad = 0.01; // a smaller kink is not seen
+// Reach of the mean, in steps of the page lattice, over a line that was found on the lattice.
+const float lattice_steps = 5.0;
 
 // Index in the point list of point number `place` of a chain. Numbers beyond the ends of an open chain are
 // clamped; in a closed chain, they wrap around.
@@ -150,6 +153,21 @@ vec2 rounded_position(ChainOfPoints chain, int place, vec2 sample_px, float most
     float by_px = size_of(moved_px);
     // A point beside the page may have no position on it; then the line stays as it is.
     return by_px < 4.0 * most_px ? sample_px + moved_px * min(1.0, most_px / max(by_px, 1e-6)) : sample_px;
+}
+
+// Position of a sample on a line that was found on the page lattice, without the steps of the lattice.
+vec2 evened_position(ChainOfPoints chain, int place, vec2 sample_px)
+{
+    float reach_px = lattice_steps * float(cell_px);
+    if (!chain.is_closed) {
+        uint at = chain.first + uint(place);
+        uint left = min(lengths_before(at) - lengths_before(chain.first),
+                        lengths_before(chain.end - 1u) - lengths_before(min(at + 1u, chain.end - 1u)));
+        reach_px = clamp(float(left) / length_unit_px, 1e-3, reach_px);
+    }
+    vec2 moved_px =
+        sum_ahead(chain, place, -1, sample_px, reach_px) + sum_ahead(chain, place, 1, sample_px, reach_px);
+    return sample_px + moved_px * min(1.0, float(cell_px) / max(size_of(moved_px), 1e-6));
 }
 
 #endif

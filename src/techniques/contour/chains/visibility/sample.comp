@@ -219,10 +219,12 @@ void main()
                      ? sample_is_visible
                      : 0u;
     state |= is_on_page ? depth_step_of(anchor, normal, page_px) : sample_is_off_page;
-    if (is_on_page && !is_of_page(from.source)) {
-        bool is_closed = (flags_of_slot[slot] & chain_is_closed) != 0u;
-        page_px = rounded_position(ChainOfPoints(first, end, is_closed), int(at - first), page_px,
-                                   constants.most_rounding_px);
+    bool is_of_clump = from.source >> 28 >= line_clump;
+    if (is_on_page && (is_of_clump || !is_of_page(from.source))) {
+        ChainOfPoints chain = ChainOfPoints(first, end, (flags_of_slot[slot] & chain_is_closed) != 0u);
+        int place = int(at - first);
+        page_px = is_of_clump ? evened_position(chain, place, page_px)
+                              : rounded_position(chain, place, page_px, constants.most_rounding_px);
     }
     float spacing_px = float(whole) / (length_unit_px * float(steps));
     samples[index] = LineSample(anchor, pack_normal(normal), page_px, from.source,
