@@ -297,6 +297,7 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .shortest_px = style.shortest_mm * in.pixels_per_mm,
                        .gap_px = style.gap_mm * in.pixels_per_mm,
                        .pen_px = style.outline.width_mm * in.pixels_per_mm,
+                       .has_brushes = in.brushes != nullptr,
                        .shell_count = mesh.shell_count,
                        .size_px = in.size_px,
                        .execution = in.execution};

@@ -59,6 +59,9 @@ SHARED_CONSTANT uint emit_has_loose_edges = 1U << 0U;
 // Outlines follow only edges of the mesh and do not cross triangles.
 SHARED_CONSTANT uint emit_along_edges = 1U << 1U;
 
+// Some lines have a brush, which is laid along the hidden part of a line too.
+SHARED_CONSTANT uint ends_has_brushes = 1U << 0U;
+
 // The second of two passes, which adds along columns what the first pass has added along rows.
 SHARED_CONSTANT uint light_foliage_adds_rows = 1U << 0U;
 
@@ -250,6 +253,9 @@ struct Stroke {
     uint recalled;
     int offset_sum; // sum over samples of (position along the brush - arc length), in 1/16 pixel
     uint offset_count;
+    // Number of samples by which the line goes on behind a nearer line, before the start of the stroke (lower
+    // 16 bits) and after its end (upper 16 bits). A brush is laid along these samples too.
+    uint steps_behind;
 };
 
 // Data of a sample that is kept for the next frame.
@@ -481,7 +487,7 @@ static_assert(sizeof(Segment) == 48);
 static_assert(sizeof(ChainPoint) == 32);
 static_assert(sizeof(VertexBending) == 32);
 static_assert(sizeof(LineSample) == 32);
-static_assert(sizeof(Stroke) == 24);
+static_assert(sizeof(Stroke) == 28);
 static_assert(sizeof(DrawnSample) == 28);
 static_assert(sizeof(VariantLines) == sizeof(uint) * variant_lines_words);
 static_assert(sizeof(ShapeConstants) <= 128);

@@ -240,6 +240,7 @@ struct ChainInputs {
     float gap_px = 0.0F;        ///< how far before a nearer line a line stops
     /// Width of outlines: a shorter hidden part is drawn, and kinks are rounded within half of it.
     float pen_px = 0.0F;
+    bool has_brushes = false; ///< some lines are drawn by brushes other than the pen
     uint32_t shell_count = 0; ///< number of connected surfaces, from EdgeMesh::shell_count
     glm::uvec2 size_px{0};
     gpu::ExecutionProfile execution;

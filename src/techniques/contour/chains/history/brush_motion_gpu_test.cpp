@@ -211,8 +211,11 @@ Slides slides_of(const std::vector<FilmFrame>& frames)
     }
     for (const Stroke& stroke : frames.back().strokes) {
         for (uint32_t at = stroke.first; at < stroke.last && is_drawn(frames.back(), at); ++at) {
-            const double even =
-                static_cast<double>(at - stroke.first) / static_cast<double>(stroke.last - stroke.first);
+            // The brush is laid along the part of the line behind the post, too.
+            const uint32_t before = stroke.steps_behind & 0xffffU;
+            const uint32_t after = stroke.steps_behind >> 16U;
+            const double even = static_cast<double>(before + at - stroke.first) /
+                                static_cast<double>(before + stroke.last - stroke.first + after);
             const double off = share_of_brush(frames.back().drawn[at]) - even;
             slides.most_off = std::max(slides.most_off, std::abs(off));
         }

@@ -67,8 +67,8 @@ void main()
         // A stroke that is dropped in the current frame may continue a stroke that was fading out in the
         // previous frame. A drawn stroke continues only drawn strokes.
         bool is_dropped = (strokes[stroke].ends & stroke_is_dropped) != 0u;
-        float arc = arc_from_start(index, strokes[stroke]);
-        float whole = whole_length(index, strokes[stroke]);
+        float arc = arc_on_brush(index, strokes[stroke]);
+        float whole = brush_length(index, strokes[stroke]);
         float nearest = reach_px;
         Cells around = cells_around(page, size_px);
         for (ivec2 cell = around.low; cell.y <= around.high.y; cell = next_cell(cell, around)) {

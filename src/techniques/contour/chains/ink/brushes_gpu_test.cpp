@@ -33,17 +33,29 @@ Image marked_picture()
     return image;
 }
 
-/// Number of places along a straight stroke whose ink differs from marked_picture().
-size_t places_off(const test::ChainLists& lists, const Stroke& stroke, const std::vector<float>& ink)
+/// A straight line on the page, along which marked_picture() lies.
+struct PageLine {
+    glm::vec2 from{0.0F};
+    glm::vec2 to{0.0F};
+};
+
+PageLine line_of(const test::ChainLists& lists, const Stroke& stroke)
+{
+    return {lists.samples[stroke.first].page_px, lists.samples[stroke.last].page_px};
+}
+
+/// Number of places along a stroke on a line whose ink differs from marked_picture().
+size_t places_off(const test::ChainLists& lists, const Stroke& stroke, const PageLine& line,
+                  const std::vector<float>& ink)
 {
     const uint32_t steps = stroke.last - stroke.first;
-    const glm::vec2 way =
-        glm::normalize(lists.samples[stroke.last].page_px - lists.samples[stroke.first].page_px);
+    const float length = glm::distance(line.from, line.to);
+    const glm::vec2 way = (line.to - line.from) / length;
     const glm::vec2 left(way.y, -way.x); // the page's y points down
     size_t off = 0;
     for (uint32_t i = steps / 8; i <= steps - steps / 8; ++i) {
         const LineSample& sample = lists.samples[stroke.first + i];
-        const float along = static_cast<float>(i) / static_cast<float>(steps);
+        const float along = glm::dot(sample.page_px - line.from, way) / length;
         const bool is_inked = along > 0.27F && along < 0.48F;
         const bool is_blank = along < 0.23F || along > 0.52F;
         const float on_left = ink_at(ink, page_px.x, sample.page_px + 3.0F * left);
@@ -68,7 +80,7 @@ StrokeCount count_pictured(test::Drawing& drawing, const ContourStyle& style)
     for (const Stroke& stroke : lists.strokes) {
         if (stroke.last - stroke.first >= 16) {
             ++count.all;
-            count.of_picture += places_off(lists, stroke, ink) == 0 ? 1U : 0U;
+            count.of_picture += places_off(lists, stroke, line_of(lists, stroke), ink) == 0 ? 1U : 0U;
         }
     }
     return count;
@@ -95,6 +107,47 @@ TEST(LineBrush, APictureLiesWhereItShouldAlongAndAcrossAStretchedStroke)
     const StrokeCount strokes = count_pictured(drawing, style);
     EXPECT_EQ(strokes.all, 9U);
     EXPECT_EQ(strokes.of_picture, 9U);
+}
+
+TEST(LineBrush, APictureGoesOnBehindANearerThing)
+{
+    const test::Folder folder;
+    save_png(marked_picture(), folder / "stroke.png");
+    ContourStyle style = even_lines(12.0F);
+    style.brush = (folder / "stroke.png").string();
+    style.brush_fit = BrushFit::stretch;
+    const Camera camera{.eye = {0.0, 2.5, 6.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.6};
+    const auto is_long = [](const Stroke& stroke) { return stroke.last - stroke.first >= 16; };
+
+    Scene scene = test::scene_of(shapes::box({3.0F, 0.4F, 0.4F}));
+    test::Drawing whole(scene, camera, page_px);
+    const test::ChainLists whole_lists = whole.chains(style);
+    PageLine edge;
+    for (const Stroke& stroke : whole_lists.strokes) {
+        if (is_long(stroke) && whole_lists.samples[stroke.first].source >> 28U == shared::line_crease) {
+            edge = line_of(whole_lists, stroke);
+        }
+    }
+    ASSERT_GT(glm::distance(edge.from, edge.to), 200.0F);
+
+    // A pillar hides a part of the edge right of its middle.
+    test::add_object(scene, shapes::box({0.5F, 4.0F, 0.2F}), glm::vec3(0.5F), {0.3, 0.0, 1.0});
+    test::Drawing drawing(scene, camera, page_px);
+    const std::vector<float> ink = drawing.lines(style, 1.0F);
+    const test::ChainLists lists = drawing.chains(style);
+    size_t found = 0;
+    for (const Stroke& stroke : lists.strokes) {
+        const PageLine part = line_of(lists, stroke);
+        const glm::vec2 across(edge.from.y - edge.to.y, edge.to.x - edge.from.x);
+        const float off_px = std::abs(glm::dot(part.from - edge.from, across)) / glm::length(across) +
+                             std::abs(glm::dot(part.to - edge.from, across)) / glm::length(across);
+        if (is_long(stroke) && off_px < 2.0F &&
+            lists.samples[stroke.first].source >> 28U == shared::line_crease) {
+            ++found;
+            EXPECT_LE(places_off(lists, stroke, edge, ink), 1U) << part.from.x << " to " << part.to.x;
+        }
+    }
+    EXPECT_EQ(found, 2U) << "left and right of the pillar";
 }
 
 TEST(LineBrush, AMarkedEdgeHasItsOwnAndNotThatOfCreases)

@@ -196,4 +196,5 @@ void main()
     strokes[own].recalled = no_sample;
     strokes[own].offset_sum = 0;
     strokes[own].offset_count = 0u;
+    strokes[own].steps_behind = 0u;
 }

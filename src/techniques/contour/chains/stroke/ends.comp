@@ -43,7 +43,11 @@ layout(scalar, binding = 5) uniform Frame
 #include "techniques/contour/chains/stroke/stroke_places.glsl"
 #include "techniques/contour/chains/stroke/meetings.glsl"
 
-const float least_behind_mm = 1.0; // on the page
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_brushes = (variant & ends_has_brushes) != 0u;
+
+const float least_behind_mm = 1.0;  // on the page
+const uint most_steps_behind = 64u; // a longer hidden part does not change how the visible part looks
 
 // Whether the line of the sample `near` passes before the line of a stroke's end, and hides the rest of it.
 bool is_behind(uint end, uint beyond, uint near)
@@ -52,6 +56,19 @@ bool is_behind(uint end, uint beyond, uint near)
     float behind_m = dot(anchor - sample_at(near).anchor, frame.view_forward);
     return is_cut_at(end, beyond) &&
            behind_m > least_behind_mm * frame.pixels_per_mm * pixel_size_m(frame, anchor);
+}
+
+// Number of samples by which a line goes on beyond the sample `end` of a stroke, up to its next corner.
+uint steps_beyond(uint end, int way)
+{
+    uint steps = 0u;
+    uint at = end;
+    while (steps < most_steps_behind && (sample_at(at).state & sample_is_corner) == 0u &&
+           is_cut_at(at, uint(int(at) + way))) {
+        at = uint(int(at) + way);
+        ++steps;
+    }
+    return steps;
 }
 
 void main()
@@ -69,5 +86,9 @@ void main()
         uint start_bits = stroke_starts_at_line | (stops_short ? stroke_starts_behind : 0u);
         uint end_bits = stroke_ends_at_line | (stops_short ? stroke_ends_behind : 0u);
         atomicOr(strokes[index].ends, is_start ? start_bits : end_bits);
+        if (has_brushes && stops_short) {
+            uint steps = steps_beyond(end, is_start ? -1 : 1);
+            atomicOr(strokes[index].steps_behind, is_start ? steps : steps << 16);
+        }
     }
 }

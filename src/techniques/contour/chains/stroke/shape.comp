@@ -327,7 +327,7 @@ float offset_of(Stroke stroke)
 // strokes.
 float repeated_phase(uint index, Stroke stroke, uint seed)
 {
-    float arc = arc_from_start(index, stroke);
+    float arc = arc_on_brush(index, stroke);
     float start = most_start_px * unit_float(hash(seed));
     if (!recalls_frame) {
         return arc + start;
@@ -335,7 +335,7 @@ float repeated_phase(uint index, Stroke stroke, uint seed)
     bool has_whole = stroke.offset_count > 0u;
     float whole = has_whole ? offset_of(stroke) : start;
     float offset = recalled_offset(index, stroke, seed, whole);
-    bool settles = has_whole && abs(whole - offset) < most_stretch * whole_length(index, stroke);
+    bool settles = has_whole && abs(whole - offset) < most_stretch * brush_length(index, stroke);
     float step = clamp(constants.settling * (whole - offset), -most_settling_px, most_settling_px);
     return arc + offset + (settles ? step : 0.0);
 }
@@ -346,8 +346,8 @@ float repeated_phase(uint index, Stroke stroke, uint seed)
 // the brush started in the previous frame.
 float stretched_phase(uint index, Stroke stroke, uint seed)
 {
-    float arc = arc_from_start(index, stroke);
-    float whole = whole_length(index, stroke);
+    float arc = arc_on_brush(index, stroke);
+    float whole = brush_length(index, stroke);
     if (!recalls_frame) {
         return arc;
     }
@@ -372,7 +372,7 @@ LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
     uint uses = brush_use(index);
     uses |= index == stroke.first && !is_ring ? touch_is_start : 0u;
     uses |= index == stroke.last && !is_ring ? touch_is_end : 0u;
-    return LineTouch(phase_px, arc_from_start(index, stroke), whole_length(index, stroke), packHalf2x16(way),
+    return LineTouch(phase_px, arc_on_brush(index, stroke), brush_length(index, stroke), packHalf2x16(way),
                      uses);
 }
 
@@ -542,7 +542,7 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
     bool is_dropped = (stroke.ends & stroke_is_dropped) != 0u;
     float half_width = is_dropped ? 0.0 : 0.5 * full * taper_at(index, stroke, full);
     uint seed = hash(constants.seed, sample_at(stroke.first).source) >> 1;
-    float arc_px = arc_from_start(index, stroke);
+    float arc_px = arc_on_brush(index, stroke);
     if (recalls_frame) {
         if (stroke.recalled != no_sample) {
             seed = recalls[sample_from_middle(stroke.recalled, stroke)].seed;
@@ -561,7 +561,7 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
     if (is_remembered && remembers) {
         vec2 page_px = page_position(frame.clip_from_anchor * vec4(sample_at(index).anchor, 1.0));
         drawn[index] =
-            DrawnSample(page_px, packHalf2x16(way), half_width, arc_px, seed, whole_length(index, stroke));
+            DrawnSample(page_px, packHalf2x16(way), half_width, arc_px, seed, brush_length(index, stroke));
     }
     if (has_jitter) {
         half_width *= stray_width(index, stroke, seed);

@@ -23,6 +23,18 @@ float whole_length(uint index, Stroke stroke)
     return spacing_px(index) * float(stroke.last - stroke.first);
 }
 
+// Distance of a sample from the start of the brush, which may lie behind a nearer line.
+float arc_on_brush(uint index, Stroke stroke)
+{
+    return arc_from_start(index, stroke) + spacing_px(index) * float(stroke.steps_behind & 0xffffu);
+}
+
+float brush_length(uint index, Stroke stroke)
+{
+    uint behind = (stroke.steps_behind & 0xffffu) + (stroke.steps_behind >> 16);
+    return spacing_px(index) * float(stroke.last - stroke.first + behind);
+}
+
 // The sample that decides which stroke of the previous frame a stroke continues. The sample is the middle
 // sample of the stroke, because near the stroke's ends a neighbouring stroke may be closer.
 uint middle_of(Stroke stroke)
