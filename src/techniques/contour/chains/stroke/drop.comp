@@ -104,13 +104,12 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
 }
 
 // Whether a line of foliage is too short beside the size of clumps: a closed line around a small gap, or an
-// open line that is not part of a longer outline.
+// open line within a clump.
 bool is_twig(Stroke stroke)
 {
     LineSample start = sample_at(stroke.first);
     bool is_ring = (start.state & sample_in_ring) != 0u;
-    bool goes_on = ((start.state | sample_at(stroke.last).state) & sample_is_corner) != 0u;
-    float least_px = constants.clump_px * (is_ring ? least_hole : goes_on ? 0.0 : least_line);
+    float least_px = constants.clump_px * (is_ring ? least_hole : least_line);
     return start.source >> 28 == line_clump && whole_length(stroke.first, stroke) < least_px;
 }
 

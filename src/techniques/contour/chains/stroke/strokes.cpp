@@ -122,7 +122,7 @@ ChainStrokes find_ends(gpu::Graph& graph, const ChainInputs& in, const ChainSamp
     ask_strokes(ends);
     ends.uniform(in.frame)
         .push(in.size_px)
-        .variant(in.has_brushes ? shared::ends_has_brushes : 0U)
+        .variant(in.has_brushes && lines == LineClass::seen ? shared::ends_has_brushes : 0U)
         .dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
     return strokes;
 }

@@ -114,8 +114,10 @@ void main()
     bool is_first = !chain.is_closed && place == 0;
     bool is_last = !chain.is_closed && uint(place) == chain.steps;
     int reach = samples_in(constants.shortest_px, spacing);
-    // A chain that is too short for two strokes has no corners: a speck stays one ring.
-    bool turns = !is_first && !is_last && 2 * reach <= int(chain.steps) && is_corner(chain, place, reach);
+    // A chain that is too short for two strokes has no corners: a speck stays one ring. The bulges of a clump
+    // of leaves are drawn in one stroke, too.
+    bool has_corners = 2 * reach <= int(chain.steps) && sample_at(index).source >> 28 < line_clump;
+    bool turns = has_corners && !is_first && !is_last && is_corner(chain, place, reach);
     states[index] =
         (before & ~sample_is_visible) | (is_seen ? sample_is_visible : 0u) | (turns ? sample_is_corner : 0u);
     if (chain.is_closed && uint(place) < chain.steps && (!is_seen || turns)) {
