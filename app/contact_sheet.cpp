@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <estampe/shapes.hpp>
+#include <estampe/style.hpp>
 
 #include "core/image_formats.hpp"
 #include "drawing.hpp"
@@ -143,7 +144,7 @@ Image draw_contact_sheet(const DrawOptions& draw)
     DrawOptions in_preset = draw;
     WorldAnimator animator(in_preset, scene, worlds::Occasion::picture);
     std::vector<SheetEntry> entries;
-    for (const std::string& name : style_presets()) {
+    for (const std::string& name : Style::presets()) {
         in_preset.style = read_style(name, draw.assignments);
         const Style style = animator.show(renderer, draw.time_s, camera);
         entries.push_back({renderer.render(camera, style, settings_of(draw, animation)), name});

@@ -24,7 +24,7 @@ struct SheetEntry {
 /// the sheet would be larger than an Image may be.
 [[nodiscard]] Image lay_out_sheet(std::span<const SheetEntry> entries);
 
-/// Draws a contact sheet: the scene of `draw` in each of style_presets(), with the assignments of `draw`
+/// Draws a contact sheet: the scene of `draw` in each of Style::presets(), with the assignments of `draw`
 /// applied to each preset. Without a scene, a small still life is drawn. Throws Error as load_scene() and
 /// Renderer::render() do.
 [[nodiscard]] Image draw_contact_sheet(const DrawOptions& draw);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "contact_sheet.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include <gtest/gtest.h>
-
-#include "option_values.hpp"
 
 namespace estampe::app {
 namespace {
@@ -65,13 +62,6 @@ TEST(ContactSheet, LettersThatTheFontLacksAreLeftOut)
     const std::vector<SheetEntry> entries{{plain(200, 30, 255), "a\xf0\x9f\x92\xa7z"}};
     const std::vector<SheetEntry> without{{plain(200, 30, 255), "az"}};
     EXPECT_EQ(lay_out_sheet(entries), lay_out_sheet(without));
-}
-
-TEST(ContactSheet, ShowsThePresetsThatAreLooks)
-{
-    const std::vector<std::string> names = style_presets();
-    EXPECT_NE(std::ranges::find(names, "comic"), names.end());
-    EXPECT_EQ(std::ranges::find(names, "tam-pen"), names.end());
 }
 
 } // namespace

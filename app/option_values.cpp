@@ -160,13 +160,6 @@ void check_range(const char* option, uint32_t typed, uint32_t least, uint32_t mo
     }
 }
 
-std::vector<std::string> style_presets()
-{
-    std::vector<std::string> names = Style::presets();
-    std::erase_if(names, [](const std::string& name) { return name.starts_with("tam-"); });
-    return names;
-}
-
 Style read_style(const std::string& name, const std::vector<std::string>& assignments)
 {
     Style style = name.empty() ? Style() : Style::load(name);

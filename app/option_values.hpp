@@ -77,9 +77,6 @@ private:
     std::string format_;
 };
 
-/// Returns the presets that are complete styles: all except tam-..., which are tools of `estampe tam`.
-[[nodiscard]] std::vector<std::string> style_presets();
-
 /// Adds the option `--no-cache` to the command. The option takes effect while the command line is read: see
 /// gpu::keep_pipelines().
 void add_no_cache_flag(CLI::App& command);

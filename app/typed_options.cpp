@@ -194,7 +194,7 @@ void add_styles(CLI::App& app, TypedOptions& typed)
         command
             .add_option("--sheet", typed.sheet,
                         "Draw the scene in every preset, side by side on one picture. Each has\n"
-                        "its name below. Presets named tam- are left out.")
+                        "its name below.")
             ->type_name("PNG");
     command.add_flag("--schema", typed.schema, "Print a JSON schema of style files, for editors")
         ->excludes(sheet);

@@ -6,12 +6,12 @@
 #include <filesystem>
 
 #include <estampe/error.hpp>
+#include <estampe/style.hpp>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "features/common/style_tables.hpp"
-#include "option_values.hpp"
 #include "viewer/panels.hpp"
 
 namespace estampe::viewer {
@@ -50,7 +50,7 @@ void show_preset_list(Studio& studio, const PanelRequests& requests)
         if (ImGui::Selectable("built-in style", name.empty())) {
             requests.open_style("");
         }
-        for (const std::string& preset : app::style_presets()) {
+        for (const std::string& preset : Style::presets()) {
             if (ImGui::Selectable(preset.c_str(), preset == name)) {
                 requests.open_style(preset);
             }

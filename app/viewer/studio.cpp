@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include <estampe/error.hpp>
+#include <estampe/style.hpp>
 
 #include "core/file.hpp"
 #include "features/common/style_tables.hpp"
-#include "option_values.hpp"
 #include "piped_scene.hpp"
 
 namespace estampe::viewer {
@@ -350,7 +350,7 @@ void Studio::step_up_axis()
 
 void Studio::step_preset(int step)
 {
-    std::vector<std::string> names = app::style_presets();
+    std::vector<std::string> names = Style::presets();
     names.insert(names.begin(), ""); // The built-in style has an empty name
     const auto found = std::ranges::find(names, edited.name());
     const auto count = static_cast<std::ptrdiff_t>(names.size());
