@@ -45,12 +45,14 @@ void declare_frame(const FrameContext& context)
     const gpu::ImageId strokes = hatch::add_hatch(
         context.graph, hatching, context.features.hatching.variants(context.graph, plan.variants.styles));
     const gpu::ImageId lines = add_bent_lines(context, outlining, screen, add_lines(context, outlining));
-    const gpu::ImageId ink = bleed::add_bleed(context.graph,
-                                              {.hatch = strokes,
-                                               .lines = lines,
-                                               .pixels_per_mm = plan.page.pixels_per_mm,
-                                               .size_px = context.sample.size_px},
-                                              context.style.bleed);
+    const gpu::ImageId ink =
+        bleed::add_bleed(context.graph,
+                         {.hatch = strokes,
+                          .lines = lines,
+                          .strokes_run = context.style.hatch.strokes != hatch::Strokes::dots,
+                          .pixels_per_mm = plan.page.pixels_per_mm,
+                          .size_px = context.sample.size_px},
+                         context.style.bleed);
 
     // Steps that compute the colour under the ink, and that compose colour and ink on paper.
     const std::optional<gpu::BufferId> far_tiles = add_far_tiles(context, scene, surface);

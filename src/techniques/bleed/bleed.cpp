@@ -56,6 +56,7 @@ gpu::ImageId add_bleed(gpu::Graph& graph, const BleedInputs& in, const BleedStyl
     auto across = graph.compute("bleed/across", shaders::bleed_across_comp);
     across.sample(in.hatch).sample(in.lines);
     const gpu::ImageId smeared = across.write(graph.image("bleed/across", page));
+    across.variant(in.strokes_run ? 0U : shared::bleed_only_lines);
     across.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
 
     auto down = graph.compute("bleed/down", shaders::bleed_down_comp);

@@ -4,7 +4,12 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+// Variant bit of bleed_across.comp: only the ink of lines runs, not that of strokes.
+SHARED_CONSTANT uint bleed_only_lines = 1U << 0U;
 
 struct BleedConstants {
     uvec2 size_px;

@@ -19,8 +19,9 @@ struct BleedStyle {
 [[nodiscard]] const style::Table<BleedStyle>& bleed_table();
 
 struct BleedInputs {
-    gpu::ImageId hatch; ///< r16f: ink of the strokes
-    gpu::ImageId lines; ///< rgba8: ink of the lines, coverage in alpha
+    gpu::ImageId hatch;      ///< r16f: ink of the strokes
+    gpu::ImageId lines;      ///< rgba8: ink of the lines, coverage in alpha
+    bool strokes_run = true; ///< false for a screentone, whose dots are printed and keep their shape
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
 };

@@ -17,10 +17,14 @@ layout(push_constant, scalar) uniform Constants
     BleedConstants constants;
 };
 
+layout(constant_id = 0) const uint variant = 0u;
+const bool only_lines = (variant & bleed_only_lines) != 0u;
+
 float ink_at(int x, int y)
 {
     ivec2 pixel = ivec2(clamp(x, 0, int(constants.size_px.x) - 1), y);
-    return 1.0 - (1.0 - texelFetch(hatch_image, pixel, 0).x) * (1.0 - texelFetch(line_image, pixel, 0).a);
+    float strokes = only_lines ? 0.0 : texelFetch(hatch_image, pixel, 0).x;
+    return 1.0 - (1.0 - strokes) * (1.0 - texelFetch(line_image, pixel, 0).a);
 }
 
 void main()

@@ -21,6 +21,7 @@ constexpr float half_step = 1e-3F; // twice the rounding step of a half float be
 struct Page {
     test::Painter<float> hatch = [](glm::uvec2) { return 0.0F; };
     test::Painter<float> lines = [](glm::uvec2) { return 0.0F; };
+    bool strokes_run = true;
 };
 
 /// Total ink per pixel, with the lines composited over the result.
@@ -33,6 +34,7 @@ std::vector<float> ink_on(const Page& page, const BleedStyle& style)
     const auto ink = add_bleed(graph,
                                {.hatch = hatch.in(graph),
                                 .lines = lines.in(graph),
+                                .strokes_run = page.strokes_run,
                                 .pixels_per_mm = pixels_per_mm,
                                 .size_px = size_px},
                                style);
@@ -92,6 +94,24 @@ TEST(Bleed, LeavesBarePaperBareAndFullInkFull)
     Page lines;
     lines.lines = full.hatch;
     EXPECT_EQ(std::ranges::min(ink_on(lines, {.enabled = true, .width_mm = 1.0F})), 1.0F);
+}
+
+TEST(Bleed, LeavesTheDotsOfAScreentoneAlone)
+{
+    // Squares of 4 pixels, 2 pixels apart, which would run together as strokes do.
+    Page dots;
+    dots.hatch = [](glm::uvec2 pixel) { return pixel.x % 6 < 4 && pixel.y % 6 < 4 ? 1.0F : 0.0F; };
+    const BleedStyle style{.enabled = true, .width_mm = 1.5F};
+    EXPECT_EQ(at(ink_on(dots, style), 46, 33), 1.0F);
+    dots.strokes_run = false;
+    const std::vector<float> kept = ink_on(dots, style);
+    for (uint32_t y = 0; y < size_px.y; ++y) {
+        for (uint32_t x = 0; x < size_px.x; ++x) {
+            ASSERT_EQ(at(kept, x, y), dots.hatch({x, y})) << x << ", " << y;
+        }
+    }
+    dots.lines = bar(20.0F, 30.0F);
+    EXPECT_GT(at(ink_on(dots, style), 30, 33), 0.4F) << "the ink of a line still runs";
 }
 
 TEST(Bleed, FadesOutBelowAPixel)
