@@ -3,6 +3,7 @@
 // seen in parallel projection, so that all lengths on the page are known.
 #include <estampe/renderer.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -77,13 +78,25 @@ Primitive leaves_of(const Disc& disc)
     return leaves;
 }
 
+void add_leaves(Scene& scene, const Primitive& leaves)
+{
+    test::add_object(scene, leaves, glm::vec3(0.5F), {0.0, 0.0, 0.0});
+    scene.materials.back().alpha_mode = AlphaMode::mask;
+    scene.materials.back().is_foliage = true;
+}
+
+Scene scene_of_leaves(const Primitive& leaves)
+{
+    Scene scene;
+    add_leaves(scene, leaves);
+    return scene;
+}
+
 Scene scene_of(const std::vector<Disc>& discs)
 {
     Scene scene;
     for (const Disc& disc : discs) {
-        test::add_object(scene, leaves_of(disc), glm::vec3(0.5F), {0.0, 0.0, 0.0});
-        scene.materials.back().alpha_mode = AlphaMode::mask;
-        scene.materials.back().is_foliage = true;
+        add_leaves(scene, leaves_of(disc));
     }
     return scene;
 }
@@ -137,6 +150,47 @@ TEST(FoliageLines, LeavesHaveOneOutlineAroundTheirClump)
         return std::abs(glm::length(place) - disc.radius) > clump_mm;
     });
     EXPECT_LT(beside_mm, 0.005F * around_mm);
+}
+
+TEST(FoliageLines, ALargeLeafKeepsItsOwnOutline)
+{
+    constexpr float radius_mm = 30.0F;
+    Primitive leaf;
+    for (uint32_t i = 0; i < 256; ++i) {
+        const float angle = 2.0F * 3.14159265F * static_cast<float>(i) / 256.0F;
+        leaf.positions.emplace_back(radius_mm * std::cos(angle), radius_mm * std::sin(angle), 0.0F);
+        leaf.normals.emplace_back(0.0F, 0.0F, 1.0F);
+    }
+    for (uint32_t i = 2; i < 256; ++i) {
+        leaf.indices.insert(leaf.indices.end(), {0U, i - 1, i});
+    }
+    double sum = 0.0;
+    double worst = 0.0;
+    size_t count = 0;
+    for (const VectorStroke& stroke : strokes_of(scene_of_leaves(leaf), StrokeKind::outline)) {
+        for (const VectorPoint& point : stroke.points) {
+            const double off = std::abs(static_cast<double>(glm::length(from_middle(point)) - radius_mm));
+            sum += off;
+            worst = std::max(worst, off);
+            ++count;
+        }
+    }
+    ASSERT_GT(count, 100U);
+    // A pixel is 0.25 mm wide.
+    EXPECT_LT(sum / static_cast<double>(count), 0.03);
+    EXPECT_LT(worst, 0.1);
+}
+
+TEST(FoliageLines, ASmallLeafHasAnOutlineAndASmallGapHasNone)
+{
+    // Of the leaf and the gap, each is 4 mm wide and so has an outline shorter than 6 clumps.
+    Disc with_gap;
+    with_gap.has_leaf = [](const glm::vec2& place) { return glm::length(place) > 1.0F; };
+    EXPECT_EQ(length_within(strokes_of(scene_of({with_gap}), StrokeKind::outline),
+                            [](const glm::vec2& place) { return glm::length(place) < 10.0F; }),
+              0.0F);
+    Disc single{.radius = 4.0F};
+    EXPECT_GT(length_within(strokes_of(scene_of({single}), StrokeKind::outline), anywhere), 15.0F);
 }
 
 TEST(FoliageLines, EveryLeafHasLinesIfClumpsAreTurnedOff)

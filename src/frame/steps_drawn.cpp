@@ -112,6 +112,16 @@ hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& s
             .draws = scene.meshes.draws};
 }
 
+namespace {
+
+bool has_clumps(const contour::ContourStyle& style)
+{
+    return style.clump_mm > 0.0F &&
+           (contour::has_lines(style, shared::line_clump) || contour::has_lines(style, shared::line_leaf));
+}
+
+} // namespace
+
 contour::ContourInputs contour_inputs(const FrameContext& context, const PosedScene& scene,
                                       gpu::BufferId visibility, const surface::Surface& surface,
                                       const light::LitPixels& lit, const SeenThrough& screen)
@@ -138,8 +148,8 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
             .screen_draw = screen.images.draw,
             .has_screen = screen.is_there && !has_chains,
             .only_cut = has_chains,
-            .has_clumps =
-                has_chains && context.loaded.layout.has_foliage && plan.variants.lines.clump_mm > 0.0F,
+            .has_clumps = has_chains && context.loaded.layout.has_foliage && has_clumps(plan.variants.lines),
+            .first_cut_triangle = context.loaded.layout.masked.first,
             .tone = light::tone_constants(context.style.tone),
             .execution = context.device.execution(),
             .is_moving = is_moving,

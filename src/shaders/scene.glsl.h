@@ -23,7 +23,8 @@ SHARED_CONSTANT uint draw_is_foliage = 32U; // leaves: alpha cuts out a good par
 // Masks of the fourth word of a triangle, which holds the number of the draw call and flags.
 SHARED_CONSTANT uint triangle_mirrored = 1U << 31U;
 SHARED_CONSTANT uint triangle_two_sided = 1U << 30U;
-// Of triangles of the line mesh only: the triangle belongs to a flat face, whatever its vertex normals say.
+// Of triangles of the line mesh only: the triangle belongs to a flat face, whatever its vertex normals say,
+// or it has no lines.
 SHARED_CONSTANT uint triangle_is_flat = 1U << 29U;
 SHARED_CONSTANT uint triangle_draw_mask = (1U << 28U) - 1U;
 

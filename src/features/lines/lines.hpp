@@ -115,7 +115,7 @@ struct LinkedPart {
 /// The settings for drawing the lines of one sample of a picture.
 struct LineJob {
     const contour::ContourStyle& style;    ///< Lines of all style variants, see StyleVariants::lines
-    bool has_cuts = false;                 ///< A texture cuts holes into some triangles
+    bool has_cuts = false;                 ///< Some triangles with holes have lines between pixels
     bool remembers = false;                ///< Lines continue those of the previous frame
     std::optional<LinkedPart> linked = {}; ///< Lines that are already linked; if set, no lines are searched
 };
@@ -136,8 +136,8 @@ public:
     void ensure(gpu::Device& device, const pose::MeshData& layout, const contour::ContourStyle& style);
 
     /// Draws lines where surfaces end, meet or fold: as chains of mesh edges, or by comparing pixels.
-    /// Surfaces with holes cut by a texture always use the pixel method. Returns an image as
-    /// contour::add_contours() does.
+    /// Surfaces with holes cut by a texture always use the pixel method, except foliage with clumps. Returns
+    /// an image as contour::add_contours() does.
     [[nodiscard]] gpu::ImageId record(gpu::Graph& graph, const contour::ContourInputs& in,
                                       const LineJob& job);
 

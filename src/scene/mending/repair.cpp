@@ -355,6 +355,9 @@ void find_cut_out_materials(Scene& scene)
         const bool is_cut_out = shares.cut_out >= least_cut_out * shares.area;
         if (material.alpha_mode == AlphaMode::mask) {
             material.is_foliage = is_cut_out;
+            if (shares.cut_out == 0.0) {
+                material.alpha_mode = AlphaMode::opaque;
+            }
             continue;
         }
         material.has_clear_parts = shares.clear >= some * shares.area;

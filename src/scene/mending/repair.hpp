@@ -22,12 +22,13 @@ void turn_by_normals(Scene& scene);
 /// meshes with equal triangle count.
 void leave_out_outline_hulls(Scene& scene);
 
-/// Replaces alpha mode `blend` of a material by a cheaper mode if the alpha values allow it. Alpha is sampled
+/// Replaces the alpha mode of a material by a cheaper mode if the alpha values allow it. Alpha is sampled
 /// over the surfaces of the material. If nearly all samples are fully clear or solid, as for leaves, hair and
-/// fences, the mode becomes `mask`. If all samples are solid, the mode becomes `opaque`. Lines and shadows
-/// can then follow the alpha. Glass, smoke and soft decals stay blended; Material::has_clear_parts tells
-/// whether parts of their surfaces are fully transparent. Also sets Material::is_foliage. Cost: linear in
-/// triangles of the examined materials, at most half a million samples per material.
+/// fences, the mode becomes `mask`. If all samples are solid, the mode becomes `opaque`, also instead of
+/// `mask`. Lines and shadows can then follow the alpha. Glass, smoke and soft decals stay blended;
+/// Material::has_clear_parts tells whether parts of their surfaces are fully transparent. Also sets
+/// Material::is_foliage. Cost: linear in triangles of the examined materials, at most half a million samples
+/// per material.
 void find_cut_out_materials(Scene& scene);
 
 /// Reverses the winding of closed, two-sided, consistently wound pieces of meshes that are inside out.

@@ -241,6 +241,14 @@ TEST(CutOuts, SoftHairIsMaskedAndSmokeHasNoEdges)
     EXPECT_FALSE(clear_parts([](const glm::dvec2&) { return 0.3; }));
 }
 
+TEST(CutOuts, AMaskThatCutsNothingIsOpaque)
+{
+    Scene scene = card([](const glm::dvec2& place) { return 0.6 + 0.4 * place.x; });
+    material_of(scene).alpha_mode = AlphaMode::mask;
+    find_cut_out_materials(scene);
+    EXPECT_EQ(material_of(scene).alpha_mode, AlphaMode::opaque);
+}
+
 TEST(CutOuts, FoliageIsWhatIsCutOutToAGoodPart)
 {
     const auto is_foliage = [](AlphaMode mode, double least_radius) {

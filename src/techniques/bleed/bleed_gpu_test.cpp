@@ -98,11 +98,11 @@ TEST(Bleed, LeavesBarePaperBareAndFullInkFull)
 
 TEST(Bleed, LeavesTheDotsOfAScreentoneAlone)
 {
-    // Squares of 4 pixels, 2 pixels apart, which would run together as strokes do.
+    // Squares of 5 pixels, one pixel apart, which would run together as strokes do.
     Page dots;
-    dots.hatch = [](glm::uvec2 pixel) { return pixel.x % 6 < 4 && pixel.y % 6 < 4 ? 1.0F : 0.0F; };
+    dots.hatch = [](glm::uvec2 pixel) { return pixel.x % 6 < 5 && pixel.y % 6 < 5 ? 1.0F : 0.0F; };
     const BleedStyle style{.enabled = true, .width_mm = 1.5F};
-    EXPECT_EQ(at(ink_on(dots, style), 46, 33), 1.0F);
+    EXPECT_GT(at(ink_on(dots, style), 47, 33), 0.9F);
     dots.strokes_run = false;
     const std::vector<float> kept = ink_on(dots, style);
     for (uint32_t y = 0; y < size_px.y; ++y) {

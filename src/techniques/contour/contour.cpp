@@ -85,9 +85,9 @@ void add_kind_keys(ContourTable& table)
     add(shared::line_leaf, "marks on clumps of leaves, where the light ends on them");
     table.number(
         "clump_mm", &ContourStyle::clump_mm, {0.0F, 50.0F}, "mm",
-        "Size of the gaps between leaves that are drawn as one clump. Leaves are surfaces that a "
-        "texture's transparency (alpha) cuts out. More draws fewer and simpler clumps, 0 draws every "
-        "leaf. Only used when contour.lines is chains.");
+        "Size of the gaps between leaves that are drawn as one clump. Leaves are surfaces of which a "
+        "texture's transparency (alpha) cuts out a tenth or more; hair and fences count, too. More "
+        "draws fewer and simpler clumps, 0 draws every leaf. Only used when contour.lines is chains.");
 }
 
 void add_brush_keys(ContourTable& table)
@@ -96,7 +96,7 @@ void add_brush_keys(ContourTable& table)
         .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
                 "Smallest step in depth at which a surface gets an outline against the surface behind. Less "
                 "draws more lines. Only used when contour.lines is page, and for shapes cut out by a "
-                "texture's transparency (alpha).")
+                "texture's transparency (alpha) that are no leaves.")
         .file_or_name("brush", &ContourStyle::brush, brush_names(),
                       "Tool that draws ink lines: pen, pencil, charcoal, brush, or a PNG of one stroke from "
                       "left to right. The PNG has the stroke in its alpha channel or in black on white. Only "

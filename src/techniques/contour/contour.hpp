@@ -184,7 +184,8 @@ struct ContourInputs {
     bool only_cut = false; ///< draws lines only where a texture's alpha cuts the surface
     /// The scene has foliage, and chains draw lines around clumps of it instead of around every leaf.
     bool has_clumps = false;
-    shared::ToneConstants tone{}; ///< tone curve of the style, for marks on foliage
+    uint32_t first_cut_triangle = 0; ///< number of the first triangle of surfaces that alpha cuts
+    shared::ToneConstants tone{};    ///< tone curve of the style, for marks on foliage
     gpu::ExecutionProfile execution;
     bool is_moving = false;         ///< the scene or the camera has moved since the previous frame
     BrushImages* brushes = nullptr; ///< brush pictures of contour chains; null if all lines are plain

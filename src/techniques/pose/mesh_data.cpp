@@ -181,9 +181,10 @@ private:
                              (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
                 const Material& material = scene_.materials[primitive.material];
                 draw.flags |= is_cut(material) ? shared::draw_is_cut : 0U;
-                draw.flags |= material.is_foliage ? shared::draw_is_foliage : 0U;
-                data_.has_foliage = data_.has_foliage || material.is_foliage;
-                data_.has_cut_outs = data_.has_cut_outs || (is_cut(material) && !material.is_foliage);
+                const bool is_foliage = is_cut(material) && material.is_foliage;
+                draw.flags |= is_foliage ? shared::draw_is_foliage : 0U;
+                data_.has_foliage = data_.has_foliage || is_foliage;
+                data_.has_cut_outs = data_.has_cut_outs || (is_cut(material) && !is_foliage);
                 link(draw, node.links, material.links);
                 data_.sources.push_back(
                     {.node = node_index,

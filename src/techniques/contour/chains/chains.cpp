@@ -316,6 +316,8 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                                        .light = in.light,
                                        .tone = in.tone,
                                        .clump_px = style.clump_mm * in.pixels_per_mm,
+                                       .first_leaf = in.first_cut_triangle,
+                                       .has_outlines = has_lines(style, shared::line_clump),
                                        .has_marks = has_lines(style, shared::line_leaf)};
     }
     return inputs;

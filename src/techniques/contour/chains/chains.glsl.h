@@ -29,9 +29,9 @@ SHARED_CONSTANT uint line_suggestive = 7U;
 SHARED_CONSTANT uint line_crest = 8U;
 SHARED_CONSTANT uint line_intersection = 9U;
 SHARED_CONSTANT uint line_shadow = 10U;
-SHARED_CONSTANT uint line_clump = 11U; // around a clump of leaves
-SHARED_CONSTANT uint line_leaf = 12U;  // a mark where the light ends on a clump
-SHARED_CONSTANT uint line_kind_count = 13U;
+SHARED_CONSTANT uint line_clump = 11U;      // around a clump of leaves
+SHARED_CONSTANT uint line_leaf = 12U;       // a mark where the light ends on a clump
+SHARED_CONSTANT uint line_kind_count = 13U; // more kinds do not fit into ShapeConstants and BrushConstants
 // Number of the first kind of line that is found between the pixels of the page, not on the mesh.
 SHARED_CONSTANT uint line_first_of_page = line_intersection;
 
@@ -145,6 +145,8 @@ SHARED_CONSTANT uint crossing_rises = 0x40000000U;
 SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
 // The line is a mark on a clump of foliage, not the clump's outline.
 SHARED_CONSTANT uint crossing_is_mark = 0x10000000U;
+// The line is the outline of a clump of foliage before foliage that is farther away.
+SHARED_CONSTANT uint crossing_is_within = 0x08000000U;
 
 // Value for a closed chain that cannot be cut open, because the chain has neither a hidden part nor a corner.
 SHARED_CONSTANT uint no_rotation = 0xffffffffU;
@@ -183,7 +185,7 @@ struct Segment {
     uint next;   // index of the segment that follows in the chain, or no_segment
     uint has_previous;
     // How far the smooth surface may bulge out of the flat triangle, in metres; negative if the smooth
-    // surface hides the line.
+    // surface hides the line. Of a line around a clump: positive if foliage is seen behind the line, too.
     float bulge_m;
 };
 
@@ -220,6 +222,8 @@ SHARED_CONSTANT uint piece_is_there = 16U; // the line continues from the sample
 SHARED_CONSTANT uint sample_step_shift = 5U;
 SHARED_CONSTANT uint sample_step_most = 1023U;
 SHARED_CONSTANT float sample_steps_a_mm = 16.0F;
+// Of lines around clumps of foliage: foliage is seen behind the line, too.
+SHARED_CONSTANT uint sample_is_within = 1U << 15U;
 
 // Surfaces that are closer on the page touch.
 SHARED_CONSTANT float touching_mm = 0.25;
@@ -253,8 +257,9 @@ struct Stroke {
     uint recalled;
     int offset_sum; // sum over samples of (position along the brush - arc length), in 1/16 pixel
     uint offset_count;
-    // Number of samples by which the line goes on behind a nearer line, before the start of the stroke (lower
-    // 16 bits) and after its end (upper 16 bits). A brush is laid along these samples too.
+    // Number of samples by which the line goes on where a nearer line cuts it, hidden or not, before the
+    // start of the stroke (lower 16 bits) and after its end (upper 16 bits). A brush is laid along these
+    // samples too.
     uint steps_behind;
 };
 
@@ -265,7 +270,7 @@ struct DrawnSample {
     float half_width_px;
     float arc_px; // position along the brush, in pixels; the position follows the surface from frame to frame
     uint seed;
-    float whole_px; // length in pixels of the stroke, and of a brush that stretches over the stroke
+    float whole_px; // length of the brush, in pixels, with the part of it behind a nearer line
 };
 
 SHARED_CONSTANT uint no_stroke_seed = 0xffffffffU;
@@ -302,9 +307,9 @@ SHARED_CONSTANT uint touch_is_end = 32U;
 struct LineTouch {
     // Position along the brush, in pixels; the position follows the surface from frame to frame.
     float phase_px;
-    float along_px; // distance of the sample from the start of the stroke, in pixels
-    float whole_px;
-    uint way; // direction of the line on the page, as two signed half floats
+    float along_px; // distance of the sample from the start of the brush, in pixels
+    float whole_px; // length of the brush, in pixels, with the part of it behind a nearer line
+    uint way;       // direction of the line on the page, as two signed half floats
     // The bits touch_use hold the kind of line, which selects the brush. The bits touch_is_start and
     // touch_is_end mark the ends of the stroke.
     uint uses;
@@ -372,10 +377,16 @@ struct CellConstants {
     uint first_word; // index of the kind of line's first word of mark bits (1: a line runs through)
     uint word_count; // total number of words of mark bits (1: a line runs through)
     uint kind;
-    float point_px; // position of a lattice point within its pixel, equal for x and y
-    float clump_px; // size of the gaps between leaves that are drawn as one clump
-    uint has_marks; // 1 if marks are drawn where the light ends on clumps
+    float point_px;       // position of a lattice point within its pixel, equal for x and y
+    float clump_px;       // size of the gaps between leaves that are drawn as one clump
+    uint has_outlines;    // 1 if clumps have outlines
+    uint has_marks;       // 1 if clumps have marks where the light ends
+    float mark_lightness; // lightness of the tone at which the light ends
+    uint first_leaf;      // number of the first triangle of surfaces that alpha cuts
 };
+
+// The bits of FoliagePoint::place that hold the depth; see foliage.glsl.
+SHARED_CONSTANT uint foliage_depth_mask = 0xffffff00U;
 
 // For the passes that find clumps of foliage on the page lattice.
 struct FoliageConstants {
@@ -490,6 +501,7 @@ static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 28);
 static_assert(sizeof(DrawnSample) == 28);
 static_assert(sizeof(VariantLines) == sizeof(uint) * variant_lines_words);
+static_assert(sizeof(FoliageConstants) <= 128);
 static_assert(sizeof(ShapeConstants) <= 128);
 static_assert(sizeof(BrushConstants) <= 128);
 } // namespace estampe::shared
@@ -506,6 +518,12 @@ float depth_step_mm(uint state)
 bool is_of_page(uint source)
 {
     return source >> 28 >= line_first_of_page;
+}
+
+// Whether a line is the outline of a clump of foliage, or a mark on a clump.
+bool is_of_foliage(uint source)
+{
+    return source >> 28 >= line_clump;
 }
 #endif
 

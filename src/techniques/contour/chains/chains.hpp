@@ -214,6 +214,8 @@ struct FoliagePixels {
     gpu::ImageId light;
     shared::ToneConstants tone; ///< converts light to the tone in which marks are found
     float clump_px = 0.0F;      ///< size of the gaps between leaves that are drawn as one clump
+    uint32_t first_leaf = 0;    ///< number of the first triangle of surfaces that alpha cuts
+    bool has_outlines = false;  ///< draws outlines of clumps
     bool has_marks = false;     ///< draws marks where the light ends on clumps
 };
 

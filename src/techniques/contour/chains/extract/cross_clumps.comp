@@ -134,8 +134,9 @@ float light_around(ivec2 point)
 bool has_mark(FoliagePoint leaf)
 {
     uvec2 word = visibility_at(ivec2(leaf.pixel & 0xffffu, leaf.pixel >> 16));
-    // The two triangles of a card have one mark.
-    return sees_triangle(word) && unit_float(hash(seen_triangle(word) >> 1)) < mark_share;
+    // The two triangles of a card usually follow each other, and have one mark.
+    uint card = (max(seen_triangle(word), constants.first_leaf) - constants.first_leaf) >> 1;
+    return sees_triangle(word) && unit_float(hash(card)) < mark_share;
 }
 
 uint crossing_between(ivec2 from, ivec2 to)
@@ -147,18 +148,20 @@ uint crossing_between(ivec2 from, ivec2 to)
     }
     bool falls = is_before(from, a, to, b);
     bool rises = is_before(to, b, from, a);
+    bool is_one_clump = is_foliage(a) && is_foliage(b);
     if (falls || rises) {
         uint limit = (a.place >> 1) + (b.place >> 1);
         float share = share_of_outline(from, to, limit, rises);
-        return pack_crossing(Crossing(true, rises, false, share));
+        uint outline =
+            pack_crossing(Crossing(true, rises, false, share)) | (is_one_clump ? crossing_is_within : 0u);
+        return constants.has_outlines != 0u ? outline : 0u;
     }
-    bool is_one_clump = is_foliage(a) && is_foliage(b) && constants.has_marks != 0u;
-    float before = is_one_clump ? light_around(from) - 0.5 : 0.0;
-    float after = is_one_clump ? light_around(to) - 0.5 : 0.0;
+    bool may_end = is_one_clump && constants.has_marks != 0u;
+    float before = may_end ? light_around(from) - constants.mark_lightness : 0.0;
+    float after = may_end ? light_around(to) - constants.mark_lightness : 0.0;
     bool is_mark = before * after < 0.0 && has_mark(a) && is_within(from) && is_within(to);
-    return is_mark ? crossing_is_mark |
-                         pack_crossing(Crossing(true, after > before, false, before / (before - after)))
-                   : 0u;
+    float share = is_mark ? before / (before - after) : 0.0;
+    return is_mark ? crossing_is_mark | pack_crossing(Crossing(true, after > before, false, share)) : 0u;
 }
 
 void main()

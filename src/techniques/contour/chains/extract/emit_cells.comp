@@ -78,8 +78,8 @@ End end_at_clump(CellSide side)
                sees_triangle(word) ? seen_triangle(word) : 0u);
 }
 
-// The direction away from a clump beside its outline, which has the clump on its left.
-vec3 away_from_clump(vec3 from, vec3 to)
+// The direction to the right of a line, as seen from the eye. A clump lies on the left of its outline.
+vec3 right_of_line(vec3 from, vec3 to)
 {
     return cross(unit(to - from + 1e-9 * frame.view_forward), towards_eye(frame, from));
 }
@@ -139,14 +139,19 @@ void main()
         next = segment_beyond(cell, side, segment_count);
     }
     uint kind = constants.kind;
+    bool is_within = false;
     if (is_of_clumps) {
         CellSide start = cell_side(cell, line.from);
-        uvec2 words = crossing_words(start.point);
-        kind = ((start.is_down ? words.y : words.x) & crossing_is_mark) != 0u ? line_leaf : line_clump;
-        from.normal = to.normal = pack_normal(away_from_clump(from.position, to.position));
+        uint word = start.is_down ? crossing_words(start.point).y : crossing_words(start.point).x;
+        bool is_mark = (word & crossing_is_mark) != 0u;
+        is_within = (word & crossing_is_within) != 0u;
+        kind = is_mark ? line_leaf : line_clump;
+        // The normal points away from a clump, and to the lighter side of a mark.
+        vec3 normal = right_of_line(from.position, to.position) * (is_mark ? -1.0 : 1.0);
+        from.normal = to.normal = pack_normal(normal);
     }
     segments[slot] =
         Segment(from.position, from.normal, to.position, to.normal, kind << 28 | from.triangle << 2 | 3u,
-                next, previous != no_segment ? 1u : 0u, 0.0);
+                next, previous != no_segment ? 1u : 0u, is_within ? 1.0 : 0.0);
     ranks[slot] = next != no_segment ? Rank(next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
 }

@@ -14,8 +14,6 @@ struct FoliagePoint {
     uint pixel;
 };
 
-const uint foliage_depth_mask = 0xffffff00u;
-
 layout(binding = FOLIAGE_BINDING) uniform usamplerBuffer foliage_texels;
 
 FoliagePoint foliage_at(ivec2 point)

@@ -3,7 +3,7 @@
 #define ESTAMPE_FOLIAGE_PIXELS
 
 // What the pixels of the page show, as FoliagePoint::place of foliage.glsl without the light. Requires before
-// inclusion: FOLIAGE_PIXELS_BINDING, the first of three bindings.
+// inclusion: chains.glsl.h; FOLIAGE_PIXELS_BINDING, the first of three bindings.
 
 #define DRAW_TEXELS_BINDING FOLIAGE_PIXELS_BINDING
 #include "shaders/draw_texels.glsl"
@@ -18,7 +18,7 @@ uint foliage_place(ivec2 pixel)
     uint word = texelFetch(draw_image, pixel, 0).x;
     bool is_leaf = sees_draw(word) && (draw_links_at(draw_of(word)).flags & draw_is_foliage) != 0u;
     float depth = sees_draw(word) ? max(texelFetch(depth_image, pixel, 0).x, 0.0) : 0.0;
-    return (floatBitsToUint(depth) & 0xffffff00u) | (is_leaf ? 1u : 0u);
+    return (floatBitsToUint(depth) & foliage_depth_mask) | (is_leaf ? 1u : 0u);
 }
 
 #endif

@@ -162,7 +162,7 @@ PageLines add_clumps(gpu::Graph& graph, const ChainInputs& in, uint32_t first_wo
 {
     const auto points = [&](float share) {
         return static_cast<uint32_t>(
-            std::max(std::lround(share * in.foliage->clump_px / static_cast<float>(shared::cell_px)), 1L));
+            std::lround(share * in.foliage->clump_px / static_cast<float>(shared::cell_px)));
     };
     FoliagePasses passes(graph, in);
     const gpu::BufferId seen = passes.see();
@@ -170,11 +170,15 @@ PageLines add_clumps(gpu::Graph& graph, const ChainInputs& in, uint32_t first_wo
     const uint32_t bulge = points(bulge_share);
     const gpu::BufferId closed = passes.resized(passes.resized(seen, gap, false), gap, true);
     const gpu::BufferId clumps = passes.resized(passes.resized(closed, bulge, true), bulge, false);
-    const gpu::BufferId light = passes.light(seen, points(light_share));
+    const gpu::BufferId light =
+        in.foliage->has_marks ? passes.light(seen, std::max(points(light_share), 1U)) : clumps;
 
     shared::CellConstants constants = cell_constants(in.size_px, shared::line_clump, first_word);
     constants.clump_px = in.foliage->clump_px;
+    constants.has_outlines = in.foliage->has_outlines ? 1 : 0;
     constants.has_marks = in.foliage->has_marks ? 1 : 0;
+    constants.mark_lightness = 1.0F - 0.5F * in.foliage->tone.ceiling;
+    constants.first_leaf = in.foliage->first_leaf;
     auto cross = graph.compute("contour/cross clumps", shaders::cross_clumps_comp);
     cross.uniform(in.frame).sample(in.foliage->visibility, gpu::Format::rg32ui);
     cross.sample(clumps, gpu::Format::rg32ui).sample(light, gpu::Format::r32ui);

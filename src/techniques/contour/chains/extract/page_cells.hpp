@@ -37,7 +37,7 @@ inline constexpr size_t most_page_lines = 3;
 /// after kind, from word `first_word` on.
 ///
 /// Cost    one thread for four pixels, per kind of line; for intersections, one more thread where two shells
-/// (connected surfaces) adjoin on the page; for clumps, about fifteen passes of one thread for four pixels
+/// (connected surfaces) adjoin on the page; for clumps, some fifteen passes of one thread for four pixels
 /// Source  cells: Lorensen and Cline, "Marching Cubes", 1987, in the plane; clumps: Serra, "Image Analysis
 /// and Mathematical Morphology", 1982
 [[nodiscard]] InlineVector<PageLines, most_page_lines>

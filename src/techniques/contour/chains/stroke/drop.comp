@@ -82,6 +82,33 @@ bool is_beside(vec2 here, uint other, Stroke stroke)
     return size_of(away) < beside_px && abs(along) < foot_px && !is_outside;
 }
 
+// Whether a closed line around a clump encloses a gap: the clump lies on the left of its outline.
+bool encloses_gap(Stroke stroke)
+{
+    vec2 origin = sample_at(stroke.first).page_px;
+    float area = 0.0;
+    for (uint at = stroke.first; at < stroke.last; ++at) {
+        vec2 from = sample_at(at).page_px - origin;
+        vec2 to = sample_at(at + 1u).page_px - origin;
+        area += from.x * to.y - to.x * from.y;
+    }
+    return area > 0.0;
+}
+
+// Whether a line around foliage is too short beside the size of clumps: a closed line around a small gap, or
+// a line within a clump, before foliage.
+bool is_twig(Stroke stroke)
+{
+    LineSample middle = sample_at(middle_of(stroke));
+    if (middle.source >> 28 != line_clump) {
+        return false;
+    }
+    bool is_ring = (middle.state & sample_in_ring) != 0u;
+    bool is_within = (middle.state & sample_is_within) != 0u;
+    float least_px = constants.clump_px * (is_ring ? least_hole : least_line);
+    return whole_length(stroke.first, stroke) < least_px && (is_within || (is_ring && encloses_gap(stroke)));
+}
+
 bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
 {
     vec2 here = sample_at(index).page_px;
@@ -97,20 +124,11 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
             bool is_longer = steps > own_steps || (steps == own_steps && stroke < own);
             bool counts =
                 stroke != own && (is_longer || (is_own_of_page && !is_of_page(sample_at(other).source)));
+            counts = counts && !is_twig(line);
             is_there = is_there || (found.y != 0u && counts && is_beside(here, other, line));
         }
     }
     return is_there;
-}
-
-// Whether a line of foliage is too short beside the size of clumps: a closed line around a small gap, or an
-// open line within a clump.
-bool is_twig(Stroke stroke)
-{
-    LineSample start = sample_at(stroke.first);
-    bool is_ring = (start.state & sample_in_ring) != 0u;
-    float least_px = constants.clump_px * (is_ring ? least_hole : least_line);
-    return start.source >> 28 == line_clump && whole_length(stroke.first, stroke) < least_px;
 }
 
 // Whether a stroke is too short to say anything. Short strokes are kept where they are whole lines that close

@@ -23,6 +23,7 @@ layout(scalar, binding = 0) readonly buffer Sizes
 
 #define SAMPLES_BINDING 1
 #define STROKES_BEFORE_BINDING 3
+#define SAMPLES_BEFORE_BINDING 6
 #include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 4) buffer Strokes
@@ -46,8 +47,8 @@ layout(scalar, binding = 5) uniform Frame
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_brushes = (variant & ends_has_brushes) != 0u;
 
-const float least_behind_mm = 1.0;  // on the page
-const uint most_steps_behind = 64u; // a longer hidden part does not change how the visible part looks
+const float least_behind_mm = 1.0; // on the page
+const uint most_steps_behind = 64u;
 
 // Whether the line of the sample `near` passes before the line of a stroke's end, and hides the rest of it.
 bool is_behind(uint end, uint beyond, uint near)
@@ -58,15 +59,24 @@ bool is_behind(uint end, uint beyond, uint near)
            behind_m > least_behind_mm * frame.pixels_per_mm * pixel_size_m(frame, anchor);
 }
 
-// Number of samples by which a line goes on beyond the sample `end` of a stroke, up to its next corner.
+// Number of samples by which a line goes on beyond the sample `end` of a stroke, hidden or not, up to its
+// next corner. In a closed chain, the last sample repeats the first.
 uint steps_beyond(uint end, int way)
 {
+    uint slot = slot_of_sample(end, sizes[list_slots].count);
+    uint first = samples_before(slot);
+    uint last = samples_before(slot + 1u) - 1u;
+    bool is_closed = sample_at(first).page_px == sample_at(last).page_px;
     uint steps = 0u;
     uint at = end;
-    while (steps < most_steps_behind && (sample_at(at).state & sample_is_corner) == 0u &&
-           is_cut_at(at, uint(int(at) + way))) {
-        at = uint(int(at) + way);
-        ++steps;
+    bool goes_on = true;
+    while (goes_on && steps < most_steps_behind) {
+        at = is_closed && way > 0 && at == last ? first : is_closed && way < 0 && at == first ? last : at;
+        bool is_there = way > 0 ? at < last : at > first;
+        uint next = is_there ? uint(int(at) + way) : at;
+        goes_on = is_there && (sample_at(at).state & sample_is_corner) == 0u && is_cut_at(at, next);
+        at = next;
+        steps += goes_on ? 1u : 0u;
     }
     return steps;
 }

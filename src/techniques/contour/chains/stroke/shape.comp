@@ -246,6 +246,7 @@ float full_width(uint index, Stroke stroke, out uint ink)
     ink = 0u;
     if (has_variants || has_inks_by_kind) {
         uint kind = has_inks_by_kind ? kind_now(point.source) : 0u;
+        kind = kind == line_clump ? line_silhouette : kind; // both have the ink of outlines
         ink = ink_of_variant | (line_kind_count - 1u - kind) << ink_kind_shift;
         ink |= has_variants ? style_variant_of(point.source) : 0u;
     }

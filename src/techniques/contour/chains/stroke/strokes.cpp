@@ -121,6 +121,7 @@ ChainStrokes find_ends(gpu::Graph& graph, const ChainInputs& in, const ChainSamp
     auto ends = graph.compute("contour/ends", shaders::ends_comp);
     ask_strokes(ends);
     ends.uniform(in.frame)
+        .sample(strokes.samples_before, gpu::Format::r32ui)
         .push(in.size_px)
         .variant(in.has_brushes && lines == LineClass::seen ? shared::ends_has_brushes : 0U)
         .dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));

@@ -219,7 +219,8 @@ void main()
                      ? sample_is_visible
                      : 0u;
     state |= is_on_page ? depth_step_of(anchor, normal, page_px) : sample_is_off_page;
-    bool is_of_clump = from.source >> 28 >= line_clump;
+    bool is_of_clump = is_of_foliage(from.source);
+    state |= is_of_clump && from.bulge_m > 0.0 ? sample_is_within : 0u;
     if (is_on_page && (is_of_clump || !is_of_page(from.source))) {
         ChainOfPoints chain = ChainOfPoints(first, end, (flags_of_slot[slot] & chain_is_closed) != 0u);
         int place = int(at - first);

@@ -116,7 +116,7 @@ void main()
     int reach = samples_in(constants.shortest_px, spacing);
     // A chain that is too short for two strokes has no corners: a speck stays one ring. The bulges of a clump
     // of leaves are drawn in one stroke, too.
-    bool has_corners = 2 * reach <= int(chain.steps) && sample_at(index).source >> 28 < line_clump;
+    bool has_corners = 2 * reach <= int(chain.steps) && !is_of_foliage(sample_at(index).source);
     bool turns = has_corners && !is_first && !is_last && is_corner(chain, place, reach);
     states[index] =
         (before & ~sample_is_visible) | (is_seen ? sample_is_visible : 0u) | (turns ? sample_is_corner : 0u);
