@@ -10,103 +10,19 @@
 
 #include <estampe/vector_drawing.hpp>
 
+#include "output/drawn_pieces.hpp"
 #include "output/pen_order.hpp"
 
 namespace estampe::output {
 namespace {
 
-// Two strokes are parallel if the cosine of the angle between them is at least this; the angle is at most 6
-// degrees.
-constexpr float parallel_cosine = 0.995F;
 // Smallest length of an overlap that is removed. Shorter overlaps are crossings at a small angle, which stay.
 constexpr double least_overlap_mm = 1.0;
 constexpr float sample_mm = 0.25F;
+// Between two strokes, a hatching stroke clogs if both are nearer than this, in widths of the pen.
+constexpr float clogged_widths = 0.8F;
 
 constexpr double least_stroke_mm = 1.0; // A shorter stroke is a dot of the pen, which gives no direction
-
-/// A short piece of a stroke that is already drawn.
-struct Piece {
-    glm::vec2 from{0.0F};
-    glm::vec2 to{0.0F};
-    uint32_t stroke = 0;
-};
-
-/// Short pieces of strokes in a grid, for searches within at most the side of a cell.
-class DrawnPieces {
-public:
-    explicit DrawnPieces(float cell_mm) : cell_mm_(cell_mm) {}
-
-    /// Returns whether a piece of an earlier stroke lies within `reach_mm` of `place` and is parallel to the
-    /// direction `way`.
-    [[nodiscard]] bool covers(const glm::vec2& place, const glm::vec2& way, float reach_mm) const
-    {
-        return has_piece(place, [&](const Piece& piece) {
-            return std::abs(glm::dot(way, direction(piece.from, piece.to))) > parallel_cosine &&
-                   distance_to(place, piece) <= reach_mm;
-        });
-    }
-
-    /// Returns whether a piece of another stroke than `stroke` lies within `reach_mm` of `place`.
-    [[nodiscard]] bool has_another(uint32_t stroke, const glm::vec2& place, float reach_mm) const
-    {
-        return has_piece(place, [&](const Piece& piece) {
-            return piece.stroke != stroke && distance_to(place, piece) <= reach_mm;
-        });
-    }
-
-    void add(const VectorStroke& stroke, uint32_t number)
-    {
-        for (size_t i = 1; i < stroke.points.size(); ++i) {
-            const Piece piece{stroke.points[i - 1].page_mm, stroke.points[i].page_mm};
-            const int steps = 1 + static_cast<int>(glm::distance(piece.from, piece.to) / (0.5F * cell_mm_));
-            for (int k = 0; k < steps; ++k) {
-                const Piece part{
-                    glm::mix(piece.from, piece.to, static_cast<float>(k) / static_cast<float>(steps)),
-                    glm::mix(piece.from, piece.to, static_cast<float>(k + 1) / static_cast<float>(steps)),
-                    number};
-                cells_[key_of(cell_of(0.5F * (part.from + part.to)))].push_back(part);
-            }
-        }
-    }
-
-    [[nodiscard]] static glm::vec2 direction(const glm::vec2& from, const glm::vec2& to)
-    {
-        const float length = glm::distance(from, to);
-        return length > 0.0F ? (to - from) / length : glm::vec2(0.0F);
-    }
-
-    [[nodiscard]] static uint64_t key_of(const glm::ivec2& cell)
-    {
-        return static_cast<uint64_t>(static_cast<uint32_t>(cell.x)) << 32U | static_cast<uint32_t>(cell.y);
-    }
-
-private:
-    template <class IsOne>
-    [[nodiscard]] bool has_piece(const glm::vec2& place, const IsOne& is_one) const
-    {
-        const glm::ivec2 middle = cell_of(place);
-        for (int i = 0; i < 9; ++i) {
-            const auto found = cells_.find(key_of(middle + glm::ivec2(i % 3 - 1, i / 3 - 1)));
-            if (found != cells_.end() && std::ranges::any_of(found->second, is_one)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    [[nodiscard]] static float distance_to(const glm::vec2& place, const Piece& piece)
-    {
-        const glm::vec2 way = piece.to - piece.from;
-        const float along =
-            glm::clamp(glm::dot(place - piece.from, way) / std::max(glm::dot(way, way), 1e-12F), 0.0F, 1.0F);
-        return glm::distance(place, piece.from + along * way);
-    }
-
-    [[nodiscard]] glm::ivec2 cell_of(const glm::vec2& place) const { return {glm::floor(place / cell_mm_)}; }
-
-    float cell_mm_ = 1.0F;
-    std::unordered_map<uint64_t, std::vector<Piece>> cells_;
-};
 
 VectorStroke without_points(const VectorStroke& stroke)
 {
@@ -189,6 +105,14 @@ std::vector<VectorStroke> kept_stretches(const VectorStroke& stroke, const std::
     return kept;
 }
 
+/// Returns the direction of a stroke at one of its points.
+glm::vec2 way_at(const VectorStroke& stroke, size_t point)
+{
+    const size_t before = point > 0 ? point - 1 : 0;
+    const size_t after = std::min(point + 1, stroke.points.size() - 1);
+    return DrawnPieces::direction(stroke.points[before].page_mm, stroke.points[after].page_mm);
+}
+
 } // namespace
 
 void remove_overlaps(VectorDrawing& drawing)
@@ -202,11 +126,8 @@ void remove_overlaps(VectorDrawing& drawing)
         std::vector<bool> is_free(fine.points.size());
         bool all_free = true;
         for (size_t i = 0; i < fine.points.size(); ++i) {
-            const size_t before = i > 0 ? i - 1 : 0;
-            const size_t after = std::min(i + 1, fine.points.size() - 1);
-            const glm::vec2 way =
-                DrawnPieces::direction(fine.points[before].page_mm, fine.points[after].page_mm);
-            is_free[i] = !pieces.covers(fine.points[i].page_mm, way, fine.points[i].width_mm / 3.0F);
+            is_free[i] =
+                !pieces.covers(fine.points[i].page_mm, way_at(fine, i), fine.points[i].width_mm / 3.0F);
             all_free = all_free && is_free[i];
         }
         keep_short_runs(fine, is_free);
@@ -216,6 +137,39 @@ void remove_overlaps(VectorDrawing& drawing)
             pieces.add(part, 0);
             kept.push_back(part);
         }
+    }
+    drawing.strokes = std::move(kept);
+}
+
+void thin_hatching(VectorDrawing& drawing)
+{
+    const float reach_mm = clogged_widths * drawing.hatch_width_mm;
+    std::vector<DrawnPieces> drawn(drawing.inks_srgb.size(), DrawnPieces(std::max(1.0F, reach_mm)));
+    std::vector<VectorStroke> fine;
+    fine.reserve(drawing.strokes.size());
+    for (uint32_t i = 0; i < drawing.strokes.size(); ++i) {
+        fine.push_back(refined(drawing.strokes[i], sample_mm));
+        drawn.at(fine[i].ink).add(fine[i], i);
+    }
+    std::vector<VectorStroke> kept;
+    kept.reserve(fine.size());
+    for (uint32_t i = 0; i < fine.size(); ++i) {
+        const VectorStroke& stroke = fine[i];
+        DrawnPieces& pieces = drawn.at(stroke.ink);
+        std::vector<bool> is_free(stroke.points.size(), true);
+        for (size_t k = 0; stroke.kind == StrokeKind::hatch && k < is_free.size(); ++k) {
+            is_free[k] = !pieces.encloses(i, stroke.points[k].page_mm, way_at(stroke, k), reach_mm);
+        }
+        keep_short_runs(stroke, is_free);
+        const bool all_free = std::ranges::find(is_free, false) == is_free.end();
+        for (size_t k = 0; k + 1 < is_free.size(); ++k) {
+            if (!is_free[k] || !is_free[k + 1]) {
+                pieces.remove(0.5F * (stroke.points[k].page_mm + stroke.points[k + 1].page_mm), i);
+            }
+        }
+        const std::vector<VectorStroke> parts =
+            all_free ? std::vector<VectorStroke>{drawing.strokes[i]} : kept_stretches(stroke, is_free);
+        kept.insert(kept.end(), parts.begin(), parts.end());
     }
     drawing.strokes = std::move(kept);
 }
@@ -527,6 +481,7 @@ void prepare_for_plotter(VectorDrawing& drawing)
     output::remove_thin_hatching(drawing);
     output::cut_dashes(drawing);
     output::remove_overlaps(drawing);
+    output::thin_hatching(drawing);
     output::join_strokes(drawing);
     output::remove_scraps(drawing);
     std::vector<std::vector<VectorStroke>> pens = by_pen(drawing);

@@ -14,6 +14,11 @@ namespace estampe::output {
 /// complete. Cost: linear in points.
 void remove_overlaps(VectorDrawing& drawing);
 
+/// Removes hatching that would clog a narrow place: parts of a millimetre or more that run between two
+/// strokes of the same ink, each at a distance of at most 0.8 pen widths. The paper between the two strokes
+/// is then narrower than the pen. Lines and crossing strokes stay. Cost: linear in points.
+void thin_hatching(VectorDrawing& drawing);
+
 /// Joins strokes of the same ink if one stroke continues the other. Two lines are joined over a gap of at
 /// most the width of the pen, and two hatching strokes over a gap of at most two widths of the pen. The
 /// joined stroke crosses the gap. A line shorter than a millimetre is also joined to a line that touches it

@@ -67,6 +67,53 @@ std::vector<output::PenStroke> ends_of(const VectorDrawing& drawing)
     return ends;
 }
 
+/// Horizontal hatching strokes of 20 mm, `spacing_mm` apart.
+VectorDrawing rows(int count, float spacing_mm)
+{
+    VectorDrawing drawing = page({});
+    for (int i = 0; i < count; ++i) {
+        const float y = 20.0F + spacing_mm * static_cast<float>(i);
+        drawing.strokes.push_back(even_line({10.0F, y}, {30.0F, y}));
+        drawing.strokes.back().kind = StrokeKind::hatch;
+    }
+    return drawing;
+}
+
+TEST(Plotter, HatchingThatLeavesNoPaperIsThinned)
+{
+    VectorDrawing clogged = rows(5, 0.21F); // seven tenths of the pen's width
+    output::thin_hatching(clogged);
+    ASSERT_EQ(clogged.strokes.size(), 3U);
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(clogged.strokes[i].points, rows(5, 0.21F).strokes[2 * i].points) << "every second row";
+    }
+    VectorDrawing dark = rows(5, 0.3F);
+    output::thin_hatching(dark);
+    ASSERT_EQ(dark.strokes.size(), 5U);
+    for (size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(dark.strokes[i].points, rows(5, 0.3F).strokes[i].points);
+    }
+}
+
+TEST(Plotter, HatchingInANarrowPlaceGoesAndLinesAndCrossingStrokesStay)
+{
+    VectorDrawing drawing =
+        page({even_line({10.0F, 20.0F}, {30.0F, 20.0F}), even_line({10.0F, 20.4F}, {30.0F, 20.4F}),
+              even_line({20.0F, 10.0F}, {20.0F, 30.0F})});
+    drawing.strokes.back().kind = StrokeKind::hatch;
+    const std::vector<VectorStroke> kept = drawing.strokes;
+    VectorStroke between = even_line({15.0F, 20.2F}, {45.0F, 20.2F});
+    between.kind = StrokeKind::hatch;
+    drawing.strokes.push_back(between);
+    output::thin_hatching(drawing);
+    ASSERT_EQ(drawing.strokes.size(), 4U);
+    for (size_t i = 0; i < kept.size(); ++i) {
+        EXPECT_EQ(drawing.strokes[i].points, kept[i].points);
+    }
+    EXPECT_NEAR(drawing.strokes[3].points.front().page_mm.x, 30.0F, 0.3F) << "beyond the narrow place";
+    EXPECT_FLOAT_EQ(drawing.strokes[3].points.back().page_mm.x, 45.0F);
+}
+
 TEST(Plotter, EveryStrokeOnceAndTheWayIsShort)
 {
     VectorDrawing drawing = random_page(500);
