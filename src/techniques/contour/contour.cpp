@@ -83,11 +83,10 @@ void add_kind_keys(ContourTable& table)
     add(shared::line_intersection, "lines where surfaces pass through each other");
     add(shared::line_shadow, "lines along the edges of the sun's shadows");
     add(shared::line_leaf, "marks on clumps of leaves, where the light ends on them");
-    table.number(
-        "clump_mm", &ContourStyle::clump_mm, {0.0F, 50.0F}, "mm",
-        "Size of the gaps between leaves that are drawn as one clump. Leaves are surfaces of which a "
-        "texture's transparency (alpha) cuts out a tenth or more; hair and fences count, too. More "
-        "draws fewer and simpler clumps, 0 draws every leaf. Only used when contour.lines is chains.");
+    table.number("clump_mm", &ContourStyle::clump_mm, {0.0F, 50.0F}, "mm",
+                 "Size of the gaps between leaves that are drawn as one clump. Leaves, hair and fences are "
+                 "surfaces that a texture's alpha cuts out. More draws simpler clumps, 0 draws every leaf. "
+                 "Only used when contour.lines is chains.");
 }
 
 void add_brush_keys(ContourTable& table)
