@@ -106,13 +106,14 @@ public:
     {
         bool is_turned = false;
         for (uint32_t left = radius; left > 0; left /= 2) {
+            const uint32_t ring = (left + 1) / 2;
             shared::FoliageConstants constants{.shrinks = shrinks ? 1U : 0U};
             for (int i = 0; i < 8; ++i) {
                 // Rings that are turned against each other by a sixteenth make a rounder circle.
                 const float angle =
                     std::numbers::pi_v<float> / 4.0F * (static_cast<float>(i) + (is_turned ? 0.5F : 0.0F));
-                constants.ring[i] = glm::round(static_cast<float>((left + 1) / 2) *
-                                               glm::vec2(std::cos(angle), std::sin(angle)));
+                constants.ring[i] =
+                    glm::round(static_cast<float>(ring) * glm::vec2(std::cos(angle), std::sin(angle)));
             }
             auto clump = graph_.compute("contour/clump foliage", shaders::clump_foliage_comp);
             clump.sample(foliage, gpu::Format::rg32ui);
