@@ -183,14 +183,21 @@ TEST(FoliageLines, ALargeLeafKeepsItsOwnOutline)
 
 TEST(FoliageLines, ASmallLeafHasAnOutlineAndASmallGapHasNone)
 {
-    // Of the leaf and the gap, each is 4 mm wide and so has an outline shorter than 6 clumps.
+    // A gap of 4 mm between leaves is not closed, but its outline is shorter than 6 clumps (18 mm).
     Disc with_gap;
     with_gap.has_leaf = [](const glm::vec2& place) { return glm::length(place) > 1.0F; };
     EXPECT_EQ(length_within(strokes_of(scene_of({with_gap}), StrokeKind::outline),
                             [](const glm::vec2& place) { return glm::length(place) < 10.0F; }),
               0.0F);
-    Disc single{.radius = 4.0F};
-    EXPECT_GT(length_within(strokes_of(scene_of({single}), StrokeKind::outline), anywhere), 15.0F);
+    // Four leaves make a square of 5 mm, whose outline is shorter than 6 clumps of 4 mm, too.
+    Disc few;
+    few.has_leaf = [](const glm::vec2& place) {
+        return glm::min(place.x, place.y) >= 0.0F && glm::max(place.x, place.y) <= between_mm;
+    };
+    const float small_mm =
+        length_within(strokes_of(scene_of({few}), StrokeKind::outline, {"contour.clump_mm=4"}), anywhere);
+    EXPECT_GT(small_mm, 12.0F);
+    EXPECT_LT(small_mm, 6.0F * 4.0F);
 }
 
 TEST(FoliageLines, EveryLeafHasLinesIfClumpsAreTurnedOff)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // One thread handles one point of the page lattice (a grid of points on the page) and its sides to the right
-// and downwards. The outline of a clump of foliage crosses a side if one end shows the clump, and the other
-// end shows something else behind it, or foliage that is much farther away. Where the light ends on a clump,
-// some leaves get a mark.
+// and downwards. The outline of a clump of foliage crosses a side if a clump is seen at only one end of the
+// side, and a surface behind the clump at the second end. The surface behind a clump may be foliage if it is
+// much farther away. Where the light ends on a clump, some leaves get a mark.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
-#include "shaders/loops.glsl"
 #include "shaders/hash.glsl"
+#include "shaders/loops.glsl"
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
@@ -40,7 +40,6 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/contour/chains/extract/foliage.glsl"
-#include "techniques/contour/chains/extract/foliage_pixels.glsl"
 #include "techniques/contour/chains/extract/page_cells.glsl"
 
 // The least step in depth between two clumps, as a multiple of the clumps' size on the page.
@@ -124,8 +123,8 @@ float share_of_outline(ivec2 from, ivec2 to, uint limit, bool rises)
     return before * after < 0.0 ? before / (before - after) : 0.5;
 }
 
-// The mean light on the foliage around a point.
-float light_around(ivec2 point)
+// The mean lightness of the tone of the foliage around a point.
+float lightness_around(ivec2 point)
 {
     vec2 sum = unpackHalf2x16(texelFetch(light_texels, point.y * int(constants.columns) + point.x).x);
     return sum.x / max(sum.y, 1e-3);
@@ -157,8 +156,8 @@ uint crossing_between(ivec2 from, ivec2 to)
         return constants.has_outlines != 0u ? outline : 0u;
     }
     bool may_end = is_one_clump && constants.has_marks != 0u;
-    float before = may_end ? light_around(from) - constants.mark_lightness : 0.0;
-    float after = may_end ? light_around(to) - constants.mark_lightness : 0.0;
+    float before = may_end ? lightness_around(from) - constants.mark_lightness : 0.0;
+    float after = may_end ? lightness_around(to) - constants.mark_lightness : 0.0;
     bool is_mark = before * after < 0.0 && has_mark(a) && is_within(from) && is_within(to);
     float share = is_mark ? before / (before - after) : 0.0;
     return is_mark ? crossing_is_mark | pack_crossing(Crossing(true, after > before, false, share)) : 0u;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread averages the light on foliage around one point of the page lattice (a grid of points on the
-// page), along a row or a column. Two passes, along rows and then along columns, give the mean over a square,
-// with weights that fall linearly to the square's sides.
+// One thread averages the lightness of the tone of foliage around one point of the page lattice (a grid of
+// points on the page), along a row or a column. Two passes, along rows and then along columns, give the mean
+// over a square, with weights that fall linearly to the square's sides.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,7 +17,7 @@ layout(binding = 1) uniform usamplerBuffer sum_texels;
 
 layout(scalar, binding = 2) writeonly buffer Sums
 {
-    // Sum of the light, and of the weights of all points that show foliage, as two half floats.
+    // Sum of the lightness, and of the weights of all points that show foliage, as two half floats.
     uint sums[];
 };
 
@@ -35,7 +35,7 @@ vec2 sum_at(ivec2 point)
 {
     if (!adds_rows) {
         FoliagePoint seen = foliage_at(point);
-        return is_foliage(seen) ? vec2(light_of(seen), 1.0) : vec2(0.0);
+        return is_foliage(seen) ? vec2(lightness_of(seen), 1.0) : vec2(0.0);
     }
     return unpackHalf2x16(texelFetch(sum_texels, point.y * int(constants.columns) + point.x).x);
 }

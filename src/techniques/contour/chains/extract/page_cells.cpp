@@ -78,7 +78,7 @@ PageLines add_shadow_edges(gpu::Graph& graph, const ChainInputs& in, const SunPi
     return {.crossings = crossings, .kind = shared::line_shadow, .first_word = first_word, .foliage = {}};
 }
 
-/// Binds what foliage_pixels.glsl reads.
+/// Binds the images that foliage.glsl reads at FOLIAGE_PIXELS_BINDING.
 void sample_pixels(gpu::Pass& pass, const FoliagePixels& pixels)
 {
     pass.sample(pixels.draws).sample(pixels.draw).sample(pixels.depth);
@@ -123,7 +123,7 @@ public:
         return foliage;
     }
 
-    /// Sums the light on foliage over squares that reach `reach` points to either side.
+    /// Sums the lightness of foliage over squares that reach `reach` points to either side.
     [[nodiscard]] gpu::BufferId light(gpu::BufferId foliage, uint32_t reach)
     {
         gpu::BufferId sums = foliage;
@@ -155,7 +155,7 @@ private:
 
 // Radius of the smallest bulge of a clump's outline, as a share of the size of gaps that are closed.
 constexpr float bulge_share = 0.4F;
-// Reach of the mean light on foliage, as a share of the size of gaps that are closed.
+// Reach of the mean lightness of foliage, as a share of the size of gaps that are closed.
 constexpr float light_share = 1.5F;
 
 /// Gaps between leaves up to the size `clump_px` are closed, and what is narrower than a bulge is cut off.

@@ -38,8 +38,8 @@ inline constexpr size_t most_page_lines = 3;
 ///
 /// Cost    one thread for four pixels, per kind of line; for intersections, one more thread where two shells
 /// (connected surfaces) adjoin on the page; for clumps, some fifteen passes of one thread for four pixels
-/// Source  cells: Lorensen and Cline, "Marching Cubes", 1987, in the plane; clumps: Serra, "Image Analysis
-/// and Mathematical Morphology", 1982
+/// Sources Lorensen and Cline, "Marching Cubes", 1987 (cells, in the plane);
+///         Serra, "Image Analysis and Mathematical Morphology", 1982 (clumps)
 [[nodiscard]] InlineVector<PageLines, most_page_lines>
 add_page_lines(gpu::Graph& graph, const ChainInputs& in, uint32_t first_word);
 

@@ -11,7 +11,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #define FOLIAGE_PIXELS_BINDING 0
-#include "techniques/contour/chains/extract/foliage_pixels.glsl"
+#include "techniques/contour/chains/extract/foliage.glsl"
 
 layout(binding = 3) uniform sampler2D light_image;
 

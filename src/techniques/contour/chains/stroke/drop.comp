@@ -3,7 +3,8 @@
 // far side of a cusp. A stroke that was found on the page is also dropped if it runs beside a stroke of the
 // mesh, whatever the length. For example, where a box stands on the ground, the box's edge already has a
 // line. Scraps, the outlines of bumps and short lines on foliage are dropped too, see is_scrap(), is_bump()
-// and is_twig(). The shader also resets the data that strokes inherit from the previous frame.
+// and is_twig(). For each stroke, the shader resets the data that the stroke inherits from the previous
+// frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -99,6 +100,9 @@ bool encloses_gap(Stroke stroke)
 // a line within a clump, before foliage.
 bool is_twig(Stroke stroke)
 {
+    if (constants.clump_px <= 0.0) {
+        return false;
+    }
     LineSample middle = sample_at(middle_of(stroke));
     if (middle.source >> 28 != line_clump) {
         return false;
@@ -124,8 +128,10 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
             bool is_longer = steps > own_steps || (steps == own_steps && stroke < own);
             bool counts =
                 stroke != own && (is_longer || (is_own_of_page && !is_of_page(sample_at(other).source)));
-            counts = counts && !is_twig(line);
-            is_there = is_there || (found.y != 0u && counts && is_beside(here, other, line));
+            bool hides_own = found.y != 0u && counts && is_beside(here, other, line);
+            if (hides_own && !is_twig(line)) {
+                is_there = true;
+            }
         }
     }
     return is_there;

@@ -5,7 +5,7 @@
 // Rounds the kinks of a chain whose surface is shaded smoothly: across the triangles of a coarse mesh a line
 // is a polygon, while the shading says that the shape is round. The rounded line is the local mean of the
 // polygon with a kernel of fourth order, which keeps lines and parabolas, so a round shape does not shrink.
-// The same mean evens the steps of lines that were found on the page lattice.
+// Lines that were found on the page lattice have steps, which are evened by a local mean with this kernel.
 // Requires before inclusion: lists.glsl with POINTS_BINDING and LENGTHS_BEFORE_BINDING, page_piece.glsl.
 //
 // Source: Gasser, Mueller and Mammitzsch, "Kernels for Nonparametric Curve Estimation", 1985.
