@@ -261,9 +261,10 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
              .points = gpu::items_of<shared::LinePoint>(line_points),
              .facing = gpu::items_of<uint32_t>(lists.line_facing)},
             *drawn.edges, with_hidden ? std::optional(hidden_widths_px(contour, px_per_mm)) : std::nullopt);
-        hand = contour::join_paths(std::move(hand), contour.joints == contour::Joints::mitre
-                                                        ? contour::mitred_corners
-                                                        : contour::rounded_corners);
+        contour::JoinRule rule =
+            contour.joints == contour::Joints::mitre ? contour::mitred_corners : contour::rounded_corners;
+        rule.shortest_px = contour.shortest_mm * px_per_mm;
+        hand = contour::join_paths(std::move(hand), rule);
         std::move(hand.begin(), hand.end(), std::back_inserter(paths));
         with_hidden = false; // lines may be drawn several times; only the first time includes hidden lines
     }

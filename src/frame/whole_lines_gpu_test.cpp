@@ -182,22 +182,28 @@ TEST(WholeLines, TheOutlineOfACoarseBallIsRound)
     }
 }
 
+/// The same triangles, each with the normal of its plane.
+Primitive flat_shaded(const Primitive& primitive)
+{
+    Primitive flat;
+    for (const uint32_t index : primitive.indices) {
+        flat.indices.push_back(static_cast<uint32_t>(flat.positions.size()));
+        flat.positions.push_back(primitive.positions[index]);
+    }
+    for (size_t i = 0; i < flat.positions.size(); i += 3) {
+        flat.normals.insert(flat.normals.end(), 3,
+                            glm::normalize(glm::cross(flat.positions[i + 1] - flat.positions[i],
+                                                      flat.positions[i + 2] - flat.positions[i])));
+    }
+    return flat;
+}
+
 TEST(WholeLines, TheRimOfACoarseCylinderIsRoundAndAFlatSidedOneKeepsItsCorners)
 {
     constexpr uint32_t segments = 24;
     const Camera camera{.eye = {0.0, 6.0, 0.01}, .target = {0.0, 0.0, 0.0}};
     const Primitive round = shapes::cylinder(1.0F, 0.5F, segments);
-    Primitive flat_sided;
-    for (const uint32_t index : round.indices) {
-        flat_sided.positions.push_back(round.positions[index]);
-    }
-    for (uint32_t i = 0; i < flat_sided.positions.size(); ++i) {
-        flat_sided.indices.push_back(i);
-        const size_t first = i - i % 3;
-        flat_sided.normals.push_back(
-            glm::normalize(glm::cross(flat_sided.positions[first + 1] - flat_sided.positions[first],
-                                      flat_sided.positions[first + 2] - flat_sided.positions[first])));
-    }
+    const Primitive flat_sided = flat_shaded(round);
     const auto sharpest_deg = [&](const Primitive& primitive) {
         float sharpest = 0.0F;
         for (const VectorStroke& stroke : strokes_of(test::scene_of(primitive), camera)) {
@@ -270,14 +276,17 @@ Primitive fillet()
     return result;
 }
 
-// Some edges of the fillet fold by more than 34 degrees, but the shading is smooth across them.
+// Some edges of the fillet fold by more than 34 degrees, whether or not the shading is smooth across them.
 TEST(WholeLines, AFilletWithAlternatingDiagonalsHasNoCreases)
 {
-    for (const char* angle : {"60", "34", "25"}) {
-        for (const VectorStroke& stroke : strokes_of(test::scene_of(fillet()), {.eye = {2.0, 3.0, 4.0}},
-                                                     {"contour.crease.angle_deg=" + std::string(angle)})) {
-            EXPECT_NE(stroke.kind, StrokeKind::crease) << angle << " degrees";
-            EXPECT_GT(length_mm(stroke), shortest_mm);
+    for (const Primitive& primitive : {fillet(), flat_shaded(fillet())}) {
+        for (const char* angle : {"60", "34", "25"}) {
+            for (const VectorStroke& stroke :
+                 strokes_of(test::scene_of(primitive), {.eye = {2.0, 3.0, 4.0}},
+                            {"contour.crease.angle_deg=" + std::string(angle)})) {
+                EXPECT_NE(stroke.kind, StrokeKind::crease) << angle << " degrees";
+                EXPECT_GT(length_mm(stroke), shortest_mm);
+            }
         }
     }
 }
@@ -339,14 +348,23 @@ TEST(WholeLines, AScanWithNoiseHasAnOutlineAndNothingWithin)
     const float radius_mm = page_height_mm * 0.5F / (std::tan(0.3F) * std::sqrt(24.0F));
     for (const uint32_t seed : {1U, 2U, 3U}) {
         float outline_mm = 0.0F;
+        std::array<bool, 720> has_line{}; // for each half degree around the middle
         for (const VectorStroke& stroke : strokes_of(test::scene_of(noisy_sphere(seed)), camera)) {
             EXPECT_EQ(stroke.kind, StrokeKind::outline);
             outline_mm += length_mm(stroke);
-            for (const VectorPoint& point : stroke.points) {
-                EXPECT_NEAR(glm::distance(point.page_mm, middle), radius_mm, 0.05F * radius_mm);
+            for (size_t i = 0; i < stroke.points.size(); ++i) {
+                const glm::vec2 from = stroke.points[i - (i > 0 ? 1 : 0)].page_mm - middle;
+                const glm::vec2 to = stroke.points[i].page_mm - middle;
+                EXPECT_NEAR(glm::length(to), radius_mm, 0.05F * radius_mm);
+                for (int k = 0; k < 16; ++k) {
+                    const glm::vec2 place = glm::mix(from, to, static_cast<float>(k) / 16.0F);
+                    const float turns = std::atan2(place.y, place.x) / 6.2831853F + 0.5F;
+                    has_line.at(static_cast<size_t>(turns * 719.99F)) = true;
+                }
             }
         }
-        EXPECT_GT(outline_mm, 0.85F * 6.28F * radius_mm);
+        const auto directions = static_cast<double>(std::ranges::count(has_line, true));
+        EXPECT_GT(directions, 0.97 * has_line.size());
         EXPECT_LT(outline_mm, 1.3F * 6.28F * radius_mm);
     }
 }

@@ -57,8 +57,7 @@ public:
     {
         for (const FeatureEdge& feature : mesh.features) {
             if (is_chosen(feature, feature.fold_deg, choice) &&
-                (feature.other_side == no_side ||
-                 is_chosen(feature, fold_beyond_slivers(mesh, positions, feature), choice))) {
+                is_chosen(feature, fold_of_shape(feature), choice)) {
                 edges_.push_back({feature.side, line_kind(feature, choice), vertex(feature.side, 0),
                                   vertex(feature.side, 1)});
             }
@@ -88,6 +87,14 @@ private:
     [[nodiscard]] uint32_t vertex(uint32_t side, uint32_t step) const
     {
         return mesh_.triangles[side >> 2U][static_cast<int>(((side & 3U) + step) % 3)];
+    }
+
+    /// The angle in degrees by which the shape folds at an edge, whatever triangles stand for the shape.
+    [[nodiscard]] float fold_of_shape(const FeatureEdge& edge) const
+    {
+        return edge.other_side == no_side                   ? edge.fold_deg
+               : is_between_facets(mesh_, positions_, edge) ? 0.0F
+                                                            : fold_beyond_slivers(mesh_, positions_, edge);
     }
 
     /// The vertex at an end of an edge. The two ends of the edge with number e have the numbers 2 e and 2 e +

@@ -24,6 +24,12 @@ constexpr float most_share_of_shell = 0.03F;
 constexpr float zigzag_deg = 40.0F; // mean bend from edge to edge of a line that turns to and fro
 constexpr size_t least_zigzag_edges = 3;
 constexpr int rounds = 3;
+// The largest fold between two facets of a round shape. An icosahedron folds by 42 degrees, an eight-sided
+// bar by 45 degrees; such shapes have flat sides.
+constexpr float most_round_deg = 41.0F;
+// The least turn of the surface on the two sides of a fold of a round shape, as a share of the fold.
+constexpr float least_round_share = 0.5F;
+constexpr size_t round_triangles = 8; // on either side of a fold
 
 uint32_t vertex_of(const EdgeMesh& mesh, uint32_t side, uint32_t step)
 {
@@ -88,6 +94,37 @@ uint32_t beyond_slivers(const EdgeMesh& mesh, std::span<const glm::vec3> positio
         side = next;
     }
     return side;
+}
+
+float angle_deg(const glm::vec3& one, const glm::vec3& other)
+{
+    return glm::degrees(std::acos(std::clamp(glm::dot(one, other), -1.0F, 1.0F)));
+}
+
+/// The most by which the surface turns about `axis`, in degrees, from the triangle of `side` to the triangles
+/// around it, up to folds of more than `most_round_deg`.
+float turn_beyond(const EdgeMesh& mesh, std::span<const glm::vec3> positions, uint32_t side,
+                  const glm::vec3& axis)
+{
+    const glm::vec3 start = normal_of(mesh, positions, side);
+    std::array<uint32_t, round_triangles> around{side >> 2U};
+    size_t count = 1;
+    float most_deg = 0.0F;
+    for (size_t i = 0; i < count; ++i) {
+        const glm::vec3 normal = normal_of(mesh, positions, side_of(around[i], 0));
+        const float sine = glm::dot(glm::cross(start, normal), axis);
+        most_deg = std::max(most_deg, glm::degrees(std::asin(std::clamp(sine, -1.0F, 1.0F))));
+        for (uint32_t k = 0; k < 3 && count < around.size(); ++k) {
+            const uint32_t next = mesh.neighbors[around[i]][static_cast<int>(k)];
+            const auto end = around.begin() + static_cast<std::ptrdiff_t>(count);
+            if (side_of(around[i], k) != side && next != no_side &&
+                angle_deg(normal, normal_of(mesh, positions, next)) <= most_round_deg &&
+                std::find(around.begin(), end, next >> 2U) == end) {
+                around[count++] = next >> 2U;
+            }
+        }
+    }
+    return most_deg;
 }
 
 /// Size of a shell and the mean length of its edges.
@@ -221,10 +258,7 @@ private:
                 const glm::vec3 before = along(line[i - 1]);
                 const glm::vec3 after = along(line[i]);
                 const float lengths = glm::length(before) * glm::length(after);
-                bends_deg +=
-                    lengths > 0.0F
-                        ? glm::degrees(std::acos(std::clamp(glm::dot(before, after) / lengths, -1.0F, 1.0F)))
-                        : 0.0F;
+                bends_deg += lengths > 0.0F ? angle_deg(before, after / lengths) : 0.0F;
             }
         }
         const uint32_t triangle = edges_[line.front() / 2].side >> 2U;
@@ -250,8 +284,25 @@ float fold_beyond_slivers(const EdgeMesh& mesh, std::span<const glm::vec3> posit
     if (one == edge.side && other == edge.other_side) {
         return edge.fold_deg;
     }
-    const float cosine = glm::dot(normal_of(mesh, positions, one), normal_of(mesh, positions, other));
-    return glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F)));
+    return angle_deg(normal_of(mesh, positions, one), normal_of(mesh, positions, other));
+}
+
+bool is_between_facets(const EdgeMesh& mesh, std::span<const glm::vec3> positions, const FeatureEdge& edge)
+{
+    if (edge.other_side == no_side || edge.fold_deg > most_round_deg) {
+        return false;
+    }
+    const glm::vec3 turn =
+        glm::cross(normal_of(mesh, positions, edge.side), normal_of(mesh, positions, edge.other_side));
+    const float sine = glm::length(turn);
+    if (sine <= 0.0F) {
+        return false;
+    }
+    // The axis of the turn from the first side to the other, seen from the fold outwards on both sides.
+    const glm::vec3 axis = turn / sine;
+    return turn_beyond(mesh, positions, edge.side, -axis) +
+               turn_beyond(mesh, positions, edge.other_side, axis) >=
+           least_round_share * edge.fold_deg;
 }
 
 void leave_out_lone_creases(const EdgeMesh& mesh, std::span<const glm::vec3> positions,

@@ -19,6 +19,13 @@ namespace estampe::contour {
 [[nodiscard]] float fold_beyond_slivers(const EdgeMesh& mesh, std::span<const glm::vec3> positions,
                                         const FeatureEdge& edge);
 
+/// Whether an edge folds the surface only because facets stand for a round shape, for example a fillet or a
+/// pillar of twelve sides: the fold is at most 41 degrees, and among the eight triangles around
+/// either facet the surface turns on in the same sense, together by at least half of the fold. Cost:
+/// constant.
+[[nodiscard]] bool is_between_facets(const EdgeMesh& mesh, std::span<const glm::vec3> positions,
+                                     const FeatureEdge& edge);
+
 /// An edge of a mesh that may get a line.
 struct LineEdge {
     uint32_t side = no_side;

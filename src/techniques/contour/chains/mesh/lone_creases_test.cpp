@@ -98,5 +98,48 @@ TEST(LoneCreases, ASliverDoesNotFoldASurface)
     EXPECT_TRUE(crease_lengths(primitive).empty());
 }
 
+/// A body between two rings of points, without lids. The rings follow a profile in the plane of x and y.
+Primitive bar(const std::vector<glm::vec2>& profile)
+{
+    Primitive result;
+    for (const glm::vec2& place : profile) {
+        result.positions.emplace_back(place, 0.0F);
+        result.positions.emplace_back(place, 2.0F);
+    }
+    for (uint32_t i = 0; i + 1 < profile.size(); ++i) {
+        const uint32_t a = 2 * i;
+        result.indices.insert(result.indices.end(), {a, a + 1, a + 2, a + 1, a + 3, a + 2});
+    }
+    return result;
+}
+
+/// A profile whose sections of length 1 turn by one angle after the other.
+std::vector<glm::vec2> profile_of_turns(const std::vector<float>& turns_deg)
+{
+    std::vector<glm::vec2> profile{{0.0F, 0.0F}, {1.0F, 0.0F}};
+    float way_deg = 0.0F;
+    for (const float turn : turns_deg) {
+        way_deg += turn;
+        profile.push_back(profile.back() +
+                          glm::vec2(std::cos(glm::radians(way_deg)), std::sin(glm::radians(way_deg))));
+    }
+    return profile;
+}
+
+TEST(LoneCreases, FacetsOfARoundShapeHaveNoneAndFlatSidesKeepTheirs)
+{
+    const auto count = [](const std::vector<float>& turns_deg) {
+        return crease_lengths(bar(profile_of_turns(turns_deg)), 25.0F).size();
+    };
+    EXPECT_EQ(count(std::vector<float>(12, 30.0F)), 0U); // a bar of twelve sides
+    EXPECT_EQ(count({30.0F, 30.0F, 30.0F}), 0U);         // a rounded corner
+    EXPECT_EQ(count({-35.0F, -20.0F, -35.0F}), 0U);      // a rounded inner corner of uneven facets
+    EXPECT_EQ(count(std::vector<float>(8, 45.0F)), 8U);  // a bar of eight sides
+    EXPECT_EQ(count({45.0F, 45.0F}), 2U);                // a bevel
+    EXPECT_EQ(count({35.0F}), 1U);                       // a wall that turns once
+    EXPECT_EQ(count({30.0F, -30.0F}), 2U);               // a step
+    EXPECT_EQ(count({30.0F, 90.0F}), 2U);                // an eave beside a corner
+}
+
 } // namespace
 } // namespace estampe::contour

@@ -63,6 +63,8 @@ const uint least_page_steps = 3u;
 const float most_share = 0.5;
 // The area that an outline must hide behind it, on the page: a multiple of the shortest stroke's square.
 const float least_area = 0.5;
+// The least length of a line that closes a gap, as a share of the shortest stroke: a shorter one is a dot.
+const float least_closing = 0.6;
 // The least lengths of a line around a gap in a clump of leaves, and of a line within a clump, as multiples
 // of the size of gaps that are closed.
 const float least_hole = 6.0;
@@ -161,7 +163,7 @@ bool is_scrap(Stroke stroke, float step_mm)
     bool is_only = has_long_line[shell_of_line(middle)] == 0u;
     bool is_before_far = step_mm * constants.pixels_per_mm >= constants.shortest_px;
     return !(is_only && is_ring) &&
-           (is_linked || cuts > 0u || !is_before_far ||
+           (is_linked || cuts > 0u || !is_before_far || length_px < least_closing * constants.shortest_px ||
             line_at_end(stroke, stroke.first, constants.size_px, true) == no_sample ||
             line_at_end(stroke, stroke.last, constants.size_px, true) == no_sample);
 }

@@ -76,5 +76,19 @@ TEST(JoinPaths, WithRoundedCornersOnlyLinesOfOneKindAreJoined)
     EXPECT_EQ(join_paths({straight({-40, 0}, {0, 0}), finer}).size(), 2U);
 }
 
+TEST(JoinPaths, AShortPathJoinsWhatIsAtItsEndsWhateverTheBend)
+{
+    LinePath end_of_slab = straight({40, 0}, {40, 4});
+    end_of_slab.kind = shared::line_crease;
+    const std::vector<LinePath> slab{straight({0, 0}, {40, 0}), end_of_slab, straight({40, 4}, {0, 4})};
+    EXPECT_EQ(join_paths(slab, rounded_corners).size(), 3U);
+    JoinRule rule = rounded_corners;
+    rule.shortest_px = 6.0F;
+    const std::vector<LinePath> joined = join_paths(slab, rule);
+    ASSERT_EQ(joined.size(), 1U);
+    EXPECT_EQ(joined[0].kind, straight({0, 0}, {40, 0}).kind);
+    EXPECT_EQ(joined[0].points.size(), 13U);
+}
+
 } // namespace
 } // namespace estampe::contour

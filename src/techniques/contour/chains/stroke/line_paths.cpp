@@ -176,8 +176,10 @@ class Joiner {
 public:
     Joiner(std::vector<LinePath> paths, const JoinRule& rule) : paths_(std::move(paths)), rule_(rule)
     {
+        may_join_.resize(paths_.size());
         for (size_t i = 0; i < paths_.size(); ++i) {
-            if (!paths_[i].is_closed && !paths_[i].is_hidden && paths_[i].points.size() > 2) {
+            may_join_[i] = !paths_[i].is_closed && !paths_[i].is_hidden && paths_[i].points.size() > 1;
+            if (may_join_[i]) {
                 for (const EndNumber end : {2 * i, 2 * i + 1}) {
                     if (point(end).width_px > 0.0F) {
                         ends_.emplace(cell_of(point(end).page_px), end);
@@ -195,6 +197,7 @@ public:
                 partners_[end] = wanted[end];
             }
         }
+        join_short_paths();
     }
 
     [[nodiscard]] std::vector<LinePath> join()
@@ -300,21 +303,66 @@ private:
 
     [[nodiscard]] bool goes_with(EndNumber a, EndNumber b) const
     {
+        return is_alike(a, b) && (paths_[a / 2].kind == paths_[b / 2].kind || !rule_.only_one_kind);
+    }
+
+    /// Whether both ends have one ink and much the same width.
+    [[nodiscard]] bool is_alike(EndNumber a, EndNumber b) const
+    {
         const float wider_px = std::max(point(a).width_px, point(b).width_px);
-        const bool is_one_kind = paths_[a / 2].kind == paths_[b / 2].kind;
-        return paths_[a / 2].ink == paths_[b / 2].ink && (is_one_kind || !rule_.only_one_kind) &&
+        return paths_[a / 2].ink == paths_[b / 2].ink &&
                std::abs(point(a).width_px - point(b).width_px) <= rule_.most_width_change * wider_px;
     }
 
-    /// Joins all paths that follow each other, from the free end `start` on.
+    [[nodiscard]] static float length_px(const LinePath& path)
+    {
+        float length = 0.0F;
+        for (size_t i = 1; i < path.points.size(); ++i) {
+            length += glm::distance(path.points[i - 1].page_px, path.points[i].page_px);
+        }
+        return length;
+    }
+
+    /// Pairs each free end of a short path with the free end there that bends least, so that no scrap is
+    /// left.
+    void join_short_paths()
+    {
+        for (EndNumber end = 0; end < partners_.size(); ++end) {
+            if (partners_[end] || !may_join_[end / 2] || length_px(paths_[end / 2]) >= rule_.shortest_px) {
+                continue;
+            }
+            std::optional<EndNumber> straightest;
+            float most_rad = 0.0F;
+            visit_ends_at(end, [&](EndNumber other, float angle) {
+                if (!partners_[other] && std::abs(angle) > most_rad && is_alike(end, other)) {
+                    straightest = other;
+                    most_rad = std::abs(angle);
+                }
+            });
+            if (straightest) {
+                partners_[end] = straightest;
+                partners_[*straightest] = end;
+            }
+        }
+    }
+
+    /// Joins all paths that follow each other, from the free end `start` on. The result has the kind of line
+    /// of its longest part.
     [[nodiscard]] LinePath walk(EndNumber start)
     {
         LinePath path = paths_[start / 2];
         path.points.clear();
+        size_t most_points = 0;
         std::optional<EndNumber> next = start;
         while (next && !is_taken_[*next / 2]) {
             is_taken_[*next / 2] = true;
-            std::vector<PathPoint> points = paths_[*next / 2].points;
+            const LinePath& part = paths_[*next / 2];
+            std::vector<PathPoint> points = part.points;
+            if (points.size() > most_points) {
+                most_points = points.size();
+                path.kind = part.kind;
+                path.triangle = part.triangle;
+            }
             if (*next % 2 == 1) {
                 std::ranges::reverse(points);
             }
@@ -341,6 +389,7 @@ private:
     JoinRule rule_;
     std::multimap<Cell, EndNumber> ends_;
     std::vector<std::optional<EndNumber>> partners_;
+    std::vector<bool> may_join_; ///< for each path: neither closed nor hidden
     std::vector<bool> is_taken_;
 };
 

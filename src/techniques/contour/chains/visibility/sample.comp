@@ -61,6 +61,11 @@ layout(push_constant, scalar) uniform Constants
 const float outside_px = 0.75;
 const float beyond_px = 3.0; // distance from the line at which the surface behind the line is looked at
 const float tolerance_px = 0.05;
+// A bump of a rough surface: its depth is at most so many edges of the line's triangle, the line lies within
+// `bump_mm` of the outline, and the next surface at least `behind_bump_mm` behind. Millimetres on the page.
+const float bump_edges = 3.0;
+const float bump_mm = 0.8;
+const float behind_bump_mm = 3.0;
 const float least_rise = 0.1; // sine of the least angle between two surfaces that touch along an edge
 
 // Finds the chain point before the place with the arc length `length`. Returns the last point before the
@@ -172,11 +177,11 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint side)
 
 // How far behind a line the surface lies that is seen beside the line, on the side to which the normal
 // points, as the bits of LineSample::state.
-uint depth_step_of(vec3 anchor, vec3 normal, vec2 page_px)
+uint depth_step_of(vec3 anchor, vec3 normal, vec2 page_px, float away_px)
 {
     float pixel_m = pixel_size_m(frame, anchor);
     vec2 way = page_position(frame.clip_from_anchor * vec4(anchor + normal * pixel_m, 1.0)) - page_px;
-    vec2 beyond = page_px + beyond_px * way * inversesqrt(max(dot(way, way), 1e-20));
+    vec2 beyond = page_px + away_px * way * inversesqrt(max(dot(way, way), 1e-20));
     ivec2 pixel = clamp(ivec2(floor(beyond)), ivec2(0), ivec2(frame.size_px) - 1);
     uvec2 word = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
     if (!sees_triangle(word)) {
@@ -184,6 +189,25 @@ uint depth_step_of(vec3 anchor, vec3 normal, vec2 page_px)
     }
     float behind_mm = cover_of(seen_triangle(word), anchor, 0.0).behind_m / (pixel_m * frame.pixels_per_mm);
     return uint(clamp(sample_steps_a_mm * behind_mm, 0.0, float(sample_step_most))) << sample_step_shift;
+}
+
+// Whether a line that counts as hidden closes the outline of a rough surface: a bump of the line's own shell,
+// hardly larger than the triangles there, lies before it, and close beside the line the next surface is far
+// behind.
+bool is_under_bump(vec3 anchor, vec3 normal, vec2 page_px, uint own)
+{
+    ivec2 pixel = clamp(ivec2(floor(page_px)), ivec2(0), ivec2(frame.size_px) - 1);
+    uvec2 word = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
+    uint seen = sees_triangle(word) ? seen_triangle(word) : own;
+    bool is_own_shell = texelFetch(neighbor_texels, int(seen)).w >> neighbor_shell_shift ==
+                        texelFetch(neighbor_texels, int(own)).w >> neighbor_shell_shift;
+    uvec4 corners = triangle_at(own);
+    vec3 a = posed_vertex_at(corners.x).position;
+    float edge_m = max(size_of(posed_vertex_at(corners.y).position - a),
+                       size_of(posed_vertex_at(corners.z).position - a));
+    uint step_bits = depth_step_of(anchor, normal, page_px, bump_mm * frame.pixels_per_mm);
+    return is_own_shell && cover_of(seen, anchor, 0.0).behind_m > -bump_edges * edge_m &&
+           step_bits >> sample_step_shift >= uint(behind_bump_mm * sample_steps_a_mm);
 }
 
 void main()
@@ -214,11 +238,13 @@ void main()
     bool is_on_page = all(greaterThan(page_px, vec2(-0.5 * page_margin_px))) &&
                       all(lessThan(page_px, vec2(frame.size_px) + 0.5 * page_margin_px));
     uint side = from.source & 0x0fffffffu;
-    uint state = is_on_page && (is_of_page(from.source) ||
-                                (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, side)))
-                     ? sample_is_visible
-                     : 0u;
-    state |= is_on_page ? depth_step_of(anchor, normal, page_px) : sample_is_off_page;
+    uint state = is_on_page ? depth_step_of(anchor, normal, page_px, beyond_px) : sample_is_off_page;
+    bool is_smooth_outline = is_smooth && from.source >> 28 == line_silhouette;
+    state |= is_on_page && (is_of_page(from.source) ||
+                            (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, side)) ||
+                            (is_smooth_outline && is_under_bump(anchor, normal, page_px, side >> 2)))
+                 ? sample_is_visible
+                 : 0u;
     bool is_of_clump = is_of_foliage(from.source);
     state |= is_of_clump && from.bulge_m > 0.0 ? sample_is_within : 0u;
     if (is_on_page && (is_of_clump || !is_of_page(from.source))) {
