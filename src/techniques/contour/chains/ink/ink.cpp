@@ -8,7 +8,7 @@
 
 #include "gpu/resources.hpp"
 #include "gpu/transfers.hpp"
-#include "shaders/blank_layer_comp.hpp"
+#include "shaders/blank_page_comp.hpp"
 #include "shaders/ink_brush_comp.hpp"
 #include "shaders/ink_layer_comp.hpp"
 #include "shaders/ink_pieces_comp.hpp"
@@ -161,12 +161,40 @@ void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& 
     joints.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
 }
 
-Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
-              const ContourStyle& style, glm::uvec2 grid_page_px)
+/// An ink layer and the pixels that are inked next.
+struct InkPage {
+    Inked inked;
+    gpu::ImageId layer;
+};
+
+/// Creates an ink layer without ink, or goes on with the layer `under`. A CPU clears each buffer and image by
+/// a fill command, a GPU all of them in one dispatch; either is faster there.
+InkPage add_page(gpu::Graph& graph, const ContourInputs& in, const shared::InkConstants& constants,
+                 const std::optional<gpu::ImageId>& under)
 {
     const uint64_t tiles = uint64_t{(in.size_px.x + 7) / 8} * ((in.size_px.y + 7) / 8);
-    Inked inked{gpu::add_zeros(graph, "contour/inked", sizeof(uint32_t) * in.size_px.x * in.size_px.y + 16),
-                gpu::add_empty_list(graph, "contour/ink tiles", 16 + 8 * tiles)};
+    const uint64_t pixels_bytes = sizeof(uint32_t) * in.size_px.x * in.size_px.y + 16;
+    const uint64_t tiles_bytes = 16 + 8 * tiles;
+    const gpu::ImageDesc layer{
+        .width = constants.width, .height = constants.height, .format = gpu::Format::rgba8};
+    if (under || in.execution.clears_by_transfer()) {
+        const Inked inked{gpu::add_zeros(graph, "contour/inked", pixels_bytes),
+                          gpu::add_empty_list(graph, "contour/ink tiles", tiles_bytes)};
+        return {inked, under ? *under
+                             : gpu::add_filled_image(graph, "contour/blank layer", layer,
+                                                     glm::vec4(glm::sqrt(constants.ink_color), 0.0F))};
+    }
+    auto pass = graph.compute("contour/blank page", shaders::blank_page_comp);
+    const gpu::ImageId blank = pass.write(graph.image("contour/ink", layer));
+    const Inked inked{pass.write(graph.buffer("contour/inked", {.size_bytes = pixels_bytes})),
+                      pass.write(graph.buffer("contour/ink tiles", {.size_bytes = tiles_bytes}))};
+    pass.push(constants).dispatch_over_page(constants.width, constants.height);
+    return {inked, blank};
+}
+
+Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
+              const ContourStyle& style, glm::uvec2 grid_page_px, Inked inked)
+{
     ContourInputs seen = in;
     seen.brushes = brushes_of_seen_lines(in.brushes);
     for (const HandDrawn& hand : shaped.hands) {
@@ -181,23 +209,6 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
     return inked;
 }
 
-/// Clears the ink layer: with a fill command on a CPU, with a dispatch on a GPU. The fill command is faster
-/// on a CPU, the dispatch on a GPU.
-gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants,
-                             const gpu::ExecutionProfile& execution)
-{
-    const gpu::ImageDesc layer{
-        .width = constants.width, .height = constants.height, .format = gpu::Format::rgba8};
-    if (!execution.clears_by_transfer()) {
-        auto pass = graph.compute("contour/blank layer", shaders::blank_layer_comp);
-        const gpu::ImageId blank = pass.write(graph.image("contour/ink", layer));
-        pass.push(constants).dispatch_over_page(constants.width, constants.height);
-        return blank;
-    }
-    return gpu::add_filled_image(graph, "contour/blank layer", layer,
-                                 glm::vec4(glm::sqrt(constants.ink_color), 0.0F));
-}
-
 /// Inks strokes. `grid_page_px` is the size of the page that the sample grid (which finds samples by
 /// position) covers.
 gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
@@ -206,15 +217,15 @@ gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const Sha
 {
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
-    const Inked inked = add_ink(graph, in, shaped, style, grid_page_px);
-    const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants, in.execution);
+    const InkPage page = add_page(graph, in, constants, under);
+    const Inked inked = add_ink(graph, in, shaped, style, grid_page_px, page.inked);
     auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
     layer.read(inked.pixels)
         .sample(in.materials)
         .read(inked.tiles)
         .variant((in.own_outlines ? shared::ink_layer_has_own_outlines : 0U) |
                  (in.variant_lines ? shared::ink_layer_has_variants : 0U));
-    const gpu::ImageId ink = layer.modify(below);
+    const gpu::ImageId ink = layer.modify(page.layer);
     layer.sample(in.variant_lines.value_or(in.materials), gpu::Format::r32ui);
     layer.push(constants).dispatch_indirect(inked.tiles);
     return ink;

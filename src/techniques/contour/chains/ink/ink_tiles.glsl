@@ -3,7 +3,7 @@
 #define ESTAMPE_INK_TILES
 
 // An unordered list of the tiles of 8 x 8 pixels that lines cover. The list follows the arguments of an
-// indirect dispatch with one workgroup per tile. The buffer must be zero at first. Requires before inclusion:
+// indirect dispatch with one workgroup per tile. The list must be empty at first. Requires before inclusion:
 // INK_TILES_BINDING, INK_TILES_ACCESS.
 
 struct InkTile {

@@ -197,11 +197,11 @@ void main()
     barrier();
     uint found = 0u;
     uint behind = 0u;
+    bool may_be_beside = is_stroke && (steps <= most_steps || of_page);
     for (uint i = turn; is_stroke && i <= sample_steps; i += threads) {
-        uint at = first + (of_page ? steps * i / max(sample_steps, 1u) : i);
-        found += is_beside_longer(at, own, steps, of_page) ? 1u : 0u;
-        uint across = first + steps * i / max(sample_steps, 1u);
-        behind += sample_at(across).state >> sample_step_shift & sample_step_most;
+        uint at = first + steps * i / max(sample_steps, 1u);
+        found += may_be_beside && is_beside_longer(at, own, steps, of_page) ? 1u : 0u;
+        behind += sample_at(at).state >> sample_step_shift & sample_step_most;
     }
     if (found > 0u) {
         atomicAdd(beside[lane], found);
@@ -211,8 +211,7 @@ void main()
     if (!is_stroke || turn != 0u) {
         return;
     }
-    bool is_dropped =
-        (steps <= most_steps || of_page) && float(beside[lane]) > most_share * float(sample_steps + 1u);
+    bool is_dropped = float(beside[lane]) > most_share * float(sample_steps + 1u);
     is_dropped = is_dropped || (of_page && steps < least_page_steps);
     float step_mm = float(steps_behind[lane]) / (sample_steps_a_mm * float(sample_steps + 1u));
     is_dropped = is_dropped || is_scrap(strokes[own], step_mm) || is_bump(strokes[own], step_mm) ||
