@@ -42,9 +42,10 @@ void declare_frame(const FrameContext& context)
                                              *context.job.linked_out);
         return;
     }
-    const gpu::ImageId strokes = hatch::add_hatch(
+    const gpu::ImageId hatched = hatch::add_hatch(
         context.graph, hatching, context.features.hatching.variants(context.graph, plan.variants.styles));
-    const gpu::ImageId lines = add_bent_lines(context, outlining, screen, add_lines(context, outlining));
+    const gpu::ImageId all_lines = add_bent_lines(context, outlining, screen, add_lines(context, outlining));
+    const auto [strokes, lines] = add_spared_lines(context, {hatched, all_lines});
     const gpu::ImageId ink =
         bleed::add_bleed(context.graph,
                          {.hatch = strokes,

@@ -177,6 +177,9 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 /// found between pixels. Edges that come from a cut-out texture are always found between pixels.
 [[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
 
+/// Leaves lines white in solid black, if the style does so.
+[[nodiscard]] contour::InkImages add_spared_lines(const FrameContext& context, const contour::InkImages& ink);
+
 /// Adds to `lines` the chains behind clear bodies that bend light. These chains are drawn without the clear
 /// bodies, and read at the places that are seen through the bodies.
 [[nodiscard]] gpu::ImageId add_bent_lines(const FrameContext& context, const contour::ContourInputs& in,

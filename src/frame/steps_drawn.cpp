@@ -99,6 +99,8 @@ hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& s
             .coordinate = surface.coordinate,
             .footprint = stroke_footprint(context, surface),
             .light = lit.light,
+            .sun = plan.strokes.has_causes && plan.sun.shines ? std::optional(lit.sun) : std::nullopt,
+            .ground_draws = plan.strokes.ground_draws,
             .screen = screen.images.color,
             .has_screen = screen.is_there,
             .tone = {},
@@ -109,7 +111,8 @@ hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& s
             .pixels_per_mm = plan.page.pixels_per_mm,
             .size_px = context.sample.size_px,
             .variant_of_draw = variant_of_draw(context),
-            .draws = scene.meshes.draws};
+            .draws = scene.meshes.draws,
+            .marks_solid = contour::spares_lines(plan.variants.lines)};
 }
 
 namespace {
@@ -180,6 +183,14 @@ gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs
                                           .has_cuts = has_cuts,
                                           .remembers = plan.lines.are_remembered && context.sample.is_first,
                                           .linked = context.job.linked});
+}
+
+contour::InkImages add_spared_lines(const FrameContext& context, const contour::InkImages& ink)
+{
+    const contour::ContourStyle& style = context.plan.variants.lines;
+    return contour::spares_lines(style)
+               ? contour::add_spared(context.graph, ink, style, context.plan.page.pixels_per_mm)
+               : ink;
 }
 
 gpu::ImageId add_bent_lines(const FrameContext& context, const contour::ContourInputs& in,

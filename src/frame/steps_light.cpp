@@ -302,6 +302,7 @@ light::LitPixels add_light(const FrameContext& context, const PosedScene& scene,
     inputs.has_emissive = plan.needs.emissive;
     inputs.keeps_strongest = plan.light.leads_strokes;
     inputs.keeps_sun = plan.lines.of_shadows || plan.toon.has_steps ||
+                       (plan.strokes.has_causes && plan.sun.shines) ||
                        (context.job.linear != nullptr && context.job.linear->has_layers());
     light::LitPixels lit = light::add_light(context.graph, inputs);
     lit.light = add_subsurface(context, scene, visibility, surface, before.maps, lit.light);

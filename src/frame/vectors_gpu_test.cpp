@@ -249,7 +249,7 @@ class HatchVectors : public testing::TestWithParam<const char*> {};
 TEST_P(HatchVectors, HatchingLiesWhereThePictureHasIt)
 {
     std::vector<std::string> assignments = only_hatching;
-    assignments.emplace_back(GetParam());
+    assignments.insert(assignments.end(), {"hatch.coordinates=uv", GetParam()});
     expect_alike(both_ways(crowded_still_life(), vector_camera, bare(assignments), vector_page), 0.98);
 }
 

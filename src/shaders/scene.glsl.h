@@ -19,6 +19,7 @@ SHARED_CONSTANT uint draw_mirrored = 4U;    // the draw call's transform mirrors
 SHARED_CONSTANT uint draw_unshadowed = 8U;  // no shadow falls on the draw call's surfaces
 SHARED_CONSTANT uint draw_is_cut = 16U;     // alpha cuts or fades the surface, so it may end before its edges
 SHARED_CONSTANT uint draw_is_foliage = 32U; // leaves: alpha cuts out a good part of the surface
+SHARED_CONSTANT uint draw_is_round = 64U;   // the surface is curved all around, as that of a body
 
 // Masks of the fourth word of a triangle, which holds the number of the draw call and flags.
 SHARED_CONSTANT uint triangle_mirrored = 1U << 31U;

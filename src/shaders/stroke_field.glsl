@@ -38,7 +38,7 @@ vec3 level_axis(uint layer)
 // Horizontal direction across the wind, rotated per layer of strokes like flat strokes.
 vec3 across_wind(vec2 wind, uint layer)
 {
-    vec2 turn = layer == 0u ? vec2(1.0, 0.0) : layer == 1u ? vec2(0.4695, 0.8829) : vec2(0.7547, -0.6561);
+    vec2 turn = layer == 0u ? vec2(1.0, 0.0) : layer == 1u ? vec2(0.6428, 0.7660) : vec2(0.7547, -0.6561);
     vec2 across = vec2(-wind.y, wind.x);
     return vec3(across.x * turn.x - across.y * turn.y, 0.0, across.x * turn.y + across.y * turn.x);
 }
@@ -85,12 +85,12 @@ vec3 solid_axis(StrokeAxes axes, uint kind, uint family)
 }
 
 // Direction across flat strokes. Over UVs and on the page, layers are rotated against each other. Along the
-// form of a surface, layers use the form's two directions and their diagonal, because only integer
-// combinations of the two directions are continuous everywhere.
+// form of a surface, layers use the form's first direction and both diagonals, because only integer
+// combinations of the form's two directions are continuous everywhere.
 vec3 flat_axis(StrokeAxes axes, uint kind, uint layer)
 {
     vec2 turned = layer == 0u ? axes.flat_axis_0 : layer == 1u ? axes.flat_axis_1 : axes.flat_axis_2;
-    vec2 form = layer == 0u ? vec2(1.0, 0.0) : layer == 1u ? vec2(0.0, 1.0) : vec2(1.0, 1.0);
+    vec2 form = layer == 0u ? vec2(1.0, 0.0) : layer == 1u ? vec2(1.0, 1.0) : vec2(1.0, -1.0);
     return vec3(kind == strokes_form ? form : turned, 0.0);
 }
 

@@ -12,6 +12,9 @@ SHARED_CONSTANT uint tone_gamma = 0U;
 SHARED_CONSTANT uint tone_linear = 1U;
 SHARED_CONSTANT uint tone_filmic = 2U;
 
+// Coverage in the image of hatching where the area is solid black, if lines are spared in it: more than 1.
+SHARED_CONSTANT float solid_ink = 2.0F;
+
 // Parameters of the tone curve, which maps light to darkness on the page.
 struct ToneConstants {
     uint curve; // kind of tone curve: tone_linear, tone_gamma or tone_filmic

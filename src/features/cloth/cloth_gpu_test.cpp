@@ -381,6 +381,7 @@ TEST(ClothFrame, BothSidesHaveTheirMaterial)
         Camera camera = set_up.camera;
         camera.eye.z = z;
         Style style = Style::load("chirico"); // a style with colours
+        style.set("hatch.enabled=false");     // shade would be black
         for (const std::string& assignment : set_up.style) {
             style.set(assignment);
         }

@@ -23,6 +23,10 @@ namespace {
 
 enum class GroundForm : uint8_t { no, level, dunes };
 
+// The most vertices, of all draw calls together, for which coordinates along the form are computed unless the
+// style asks for them: about 3 s on two threads.
+constexpr uint32_t most_form_vertices = 150'000;
+
 uint32_t possible(uint32_t wanted, const shared::DrawRecord& draw, GroundForm ground)
 {
     const bool has_uv = (draw.flags & shared::draw_has_uv) != 0;
@@ -48,6 +52,11 @@ GroundForm ground_of(const pose::MeshData& meshes, size_t draw)
     return draw == meshes.sources.size() ? GroundForm::level : GroundForm::no;
 }
 
+bool has_strokes(const hatch::HatchStyle& style)
+{
+    return style.enabled && style.strokes != hatch::Strokes::dots;
+}
+
 const StyleTables& style_of(const StyleVariants& variants, size_t draw)
 {
     return variants.has_several() ? variants.styles[variants.variant_of_draw[draw]] : variants.styles.front();
@@ -61,10 +70,23 @@ StrokePlan plan_strokes(const pose::MeshData& meshes, const StyleVariants& varia
     StrokePlan plan{.kind_of_draw = std::move(room)};
     plan.kind_of_draw.clear();
     plan.kind_of_draw.reserve(meshes.draws.size());
+    uint32_t form_vertices = 0;
     for (const shared::DrawRecord& draw : meshes.draws) {
-        const auto wanted =
-            static_cast<uint32_t>(style_of(variants, plan.kind_of_draw.size()).hatch.coordinates);
-        const uint32_t kind = possible(wanted, draw, ground_of(meshes, plan.kind_of_draw.size()));
+        const hatch::HatchStyle& style = style_of(variants, plan.kind_of_draw.size()).hatch;
+        auto wanted = static_cast<uint32_t>(style.coordinates);
+        if (style.coordinates == hatch::Coordinates::automatic && has_strokes(style) &&
+            (draw.flags & shared::draw_is_round) != 0 && (draw.flags & shared::draw_is_foliage) == 0 &&
+            form_vertices + draw.vertex_count <= most_form_vertices) {
+            wanted = shared::strokes_form;
+            form_vertices += draw.vertex_count;
+        }
+        const GroundForm ground = ground_of(meshes, plan.kind_of_draw.size());
+        if (ground != GroundForm::no) {
+            plan.ground_draws[ground == GroundForm::dunes ? 1 : 0] =
+                static_cast<uint32_t>(plan.kind_of_draw.size());
+        }
+        plan.has_causes = plan.has_causes || (style.enabled && hatch::needs_causes(style));
+        const uint32_t kind = possible(wanted, draw, ground);
         plan.kind_of_draw.push_back(kind);
         plan.present |= 1U << kind;
     }
@@ -119,8 +141,8 @@ std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const Stro
         for (uint32_t i = 0; i < draw.vertex_count; ++i) {
             positions_m.push_back(meshes.stroke_coordinates[draw.first_posed_vertex + i] * unit_m);
         }
-        const form::FormField field =
-            form::follow_form(positions_m, own.indices, {.period_m = 0.25F * unit_m});
+        const form::FormField field = form::follow_form(
+            positions_m, own.indices, {.period_m = 0.25F * unit_m, .most_singular_share = 0.02F});
         for (size_t i = 0; i < own.numbers.size(); ++i) {
             std::copy(field.corners[i].begin(), field.corners[i].end(),
                       coordinates.begin() + static_cast<std::ptrdiff_t>(3 * own.numbers[i]));

@@ -26,6 +26,9 @@ struct StrokePlan {
     std::vector<uint32_t> kind_of_draw;
     uint32_t present = 0;              ///< Stroke kinds that occur in the picture, one bit per kind
     glm::vec2 ground_wind{1.0F, 0.0F}; ///< Horizontal direction of the wind over the ground, as x and z
+    /// Draw calls of the ground and the terrain; UINT32_MAX where there is none.
+    glm::uvec2 ground_draws{UINT32_MAX};
+    bool has_causes = false; ///< Shade is hatched by its cause, see hatch::needs_causes()
 
     [[nodiscard]] bool has(uint32_t kind) const { return (present >> kind & 1U) != 0; }
 

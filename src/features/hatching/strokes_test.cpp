@@ -60,6 +60,20 @@ TEST_F(Strokes, FollowUvsOnlyWhereThereAreAny)
               (Kinds{shared::strokes_light, shared::strokes_light, shared::strokes_light}));
 }
 
+TEST_F(Strokes, FollowTheFormOfRoundBodiesByThemselves)
+{
+    using Kinds = std::vector<uint32_t>;
+    EXPECT_EQ(kinds(hatch::Coordinates::automatic),
+              (Kinds{shared::strokes_form, shared::strokes_form, shared::strokes_solid}));
+    StyleVariants dots = styles(hatch::Coordinates::automatic);
+    dots.styles.front().hatch.strokes = hatch::Strokes::dots;
+    EXPECT_EQ(plan_strokes(meshes_, dots).kind_of_draw[1], shared::strokes_solid);
+    pose::MeshData many = meshes_;
+    many.draws[0].vertex_count = 1'000'000; // coordinates along the form would take many seconds
+    EXPECT_EQ(plan_strokes(many, styles(hatch::Coordinates::automatic)).kind_of_draw,
+              (Kinds{shared::strokes_solid, shared::strokes_form, shared::strokes_solid}));
+}
+
 TEST_F(Strokes, OfSingleMaterialsGoTheirOwnWay)
 {
     EXPECT_EQ(kinds(hatch::Coordinates::form, "wind"),

@@ -11,6 +11,7 @@
 #include "shaders/edges_comp.hpp"
 #include "shaders/flood_comp.hpp"
 #include "shaders/seeds_comp.hpp"
+#include "shaders/spare_comp.hpp"
 #include "shaders/stroke_comp.hpp"
 #include "style/parameter.hpp"
 #include "techniques/contour/contour.glsl.h"
@@ -132,6 +133,9 @@ void add_hand_keys(ContourTable& table)
         .number("lost", &ContourStyle::lost, {0.0F, 1.0F}, "",
                 "How far ink lines are left out in the light (lost and found edges). 0 draws lines all "
                 "around a shape, 1 leaves lines only in shade. Only used when contour.lines is chains.")
+        .number("spared", &ContourStyle::spared, {0.0F, 1.0F}, "",
+                "How far ink lines are left white where they run through solid black, see hatch.black_above. "
+                "0 loses them in the black, 1 spares them.")
         .number("gap_mm", &ContourStyle::gap_mm, {0.0F, 20.0F}, "mm",
                 "How far an ink line stops before a nearer line behind which it goes on. 0 draws up to the "
                 "nearer line, more leaves a white gap that shows which shape is in front. Only used when "
@@ -316,6 +320,31 @@ uint32_t first_step_px(float reach)
 uint32_t reach_px(const ContourStyle& style, float pixels_per_mm)
 {
     return style.enabled ? 2 * first_step_px(half_widest_px(style, pixels_per_mm)) : 0;
+}
+
+bool spares_lines(const ContourStyle& style)
+{
+    return style.enabled && style.spared > 0.0F;
+}
+
+uint32_t spare_reach_px(const ContourStyle& style, float pixels_per_mm)
+{
+    return static_cast<uint32_t>(std::ceil(half_widest_px(style, pixels_per_mm))) + 1;
+}
+
+InkImages add_spared(gpu::Graph& graph, const InkImages& ink, const ContourStyle& style, float pixels_per_mm)
+{
+    const gpu::ImageDesc desc = graph.describe(ink.hatch);
+    auto pass = graph.compute("contour/spare", shaders::spare_comp);
+    pass.sample(ink.hatch);
+    const gpu::ImageId lines = pass.modify(ink.lines);
+    const gpu::ImageId hatch = pass.write(graph.image(
+        "hatch/spared", {.width = desc.width, .height = desc.height, .format = gpu::Format::r16f}));
+    pass.push(shared::SpareConstants{.size_px = {desc.width, desc.height},
+                                     .reach_px = spare_reach_px(style, pixels_per_mm),
+                                     .spared = style.spared})
+        .dispatch_over(desc.width, desc.height);
+    return {hatch, lines};
 }
 
 gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)

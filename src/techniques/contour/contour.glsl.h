@@ -28,6 +28,12 @@ struct EdgePixel {
     uint widths_px;
 };
 
+struct SpareConstants {
+    uvec2 size_px;
+    uint reach_px; // largest distance of a pixel from a place that must be black, too
+    float spared;  // share of a line that is left white
+};
+
 struct EdgeConstants {
     float outline_px;  // full width of outlines in pixels
     float boundary_px; // full width in pixels of boundaries, which separate materials

@@ -75,6 +75,7 @@ struct ContourStyle {
     PressureFrom pressure_from = PressureFrom::light;
     float rank = 0.5F;
     float lost = 0.0F;
+    float spared = 0.0F;
     float gap_mm = 0.0F;
     float distance_thinning = 0.7F;
     float shortest_mm = 1.5F;
@@ -222,5 +223,23 @@ struct ContourInputs {
 /// Flooding", 2006
 [[nodiscard]] gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in,
                                         const ContourStyle& style);
+
+/// Whether a style leaves lines white in solid black.
+[[nodiscard]] bool spares_lines(const ContourStyle& style);
+
+/// For lines that are left white in solid black: the largest distance in pixels at which the black decides.
+[[nodiscard]] uint32_t spare_reach_px(const ContourStyle& style, float pixels_per_mm);
+
+/// Hatching and lines, in the formats of hatch::add_hatch() and add_contours().
+struct InkImages {
+    gpu::ImageId hatch;
+    gpu::ImageId lines;
+};
+
+/// Leaves lines white where they run through solid black, as a brush spares them: the style's `spared`. In
+/// `ink`, hatching must mark solid black, see hatch::HatchInputs::marks_solid; in the result it does not.
+/// Cost: one full-screen dispatch.
+[[nodiscard]] InkImages add_spared(gpu::Graph& graph, const InkImages& ink, const ContourStyle& style,
+                                   float pixels_per_mm);
 
 } // namespace estampe::contour

@@ -12,6 +12,9 @@
 namespace estampe::form {
 namespace {
 
+// A smooth body has a few singular triangles, whatever the number of its triangles.
+constexpr uint32_t usual_singular_triangles = 64;
+
 glm::dvec3 unit_or_y(const glm::vec3& v)
 {
     const double length = glm::length(glm::dvec3(v));
@@ -81,17 +84,26 @@ FormField follow_form(std::span<const glm::vec3> positions_m, std::span<const ui
     if (!is_finite(a) || !is_finite(b)) {
         return field;
     }
-    field.follows_form = true;
     for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (size_t k = 0; k < 3; ++k) {
-            field.corners[mesh.sources[t]][k] = glm::vec2(a.corners[t][k], b.corners[t][k]);
-        }
         const double index = singularity(mesh, directions, t);
         field.faults.singular_triangles += index != 0.0 ? 1 : 0;
         field.faults.branch_triangles_a += a.branches[t] != 0 ? 1 : 0;
         field.faults.branch_triangles_b += b.branches[t] != 0 ? 1 : 0;
         field.faults.index_sum += static_cast<float>(index);
         field.is_faulty[mesh.sources[t]] = index != 0.0 || a.branches[t] != 0 || b.branches[t] != 0 ? 1 : 0;
+    }
+    const auto singular = static_cast<double>(field.faults.singular_triangles);
+    if (singular >
+            static_cast<double>(options.most_singular_share) * static_cast<double>(mesh.triangles.size()) &&
+        field.faults.singular_triangles > usual_singular_triangles) {
+        field.is_faulty.assign(field.corners.size(), 0);
+        return field;
+    }
+    field.follows_form = true;
+    for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (size_t k = 0; k < 3; ++k) {
+            field.corners[mesh.sources[t]][k] = glm::vec2(a.corners[t][k], b.corners[t][k]);
+        }
     }
     return field;
 }

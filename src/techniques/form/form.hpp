@@ -24,6 +24,9 @@ struct FormOptions {
     /// horizontal.
     glm::vec3 up{0.0F, 1.0F, 0.0F};
     uint32_t seed = 1;
+    /// A field with more than 64 singular triangles, and more than this share of all triangles, is a tangle
+    /// and is not used. 1 uses every field.
+    float most_singular_share = 1.0F;
 };
 
 /// Counts of places where strokes end, break or are missing. No line field can be smooth everywhere on a
@@ -49,8 +52,9 @@ struct FormField {
     std::vector<std::array<glm::vec2, 3>> corners;
     /// For each triangle: 1 if the triangle has a branch point or a singularity, where strokes end or break.
     std::vector<uint8_t> is_faulty;
-    /// False if no coordinates could be computed. If false, `corners` holds coordinates that cut the solid by
-    /// two sets of parallel planes.
+    /// False if no coordinates could be computed, or if the surface is so wrinkled that its lines would be a
+    /// tangle, see FormOptions::most_singular_share. If false, `corners` holds coordinates that cut the solid
+    /// by two sets of parallel planes.
     bool follows_form = false;
     FormFaults faults;
 };

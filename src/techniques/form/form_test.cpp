@@ -162,6 +162,29 @@ TEST(Form, IsWholeOnARoughStone)
     EXPECT_LE(all.breaks, static_cast<int>(faults.singular_triangles + faults.branch_triangles_a));
 }
 
+// Without smoothing, the lines on a rough ball turn about many triangles.
+TEST(Form, IsSlicedWhereItsLinesWouldBeATangle)
+{
+    const TestMesh mesh = ball(40, [](const glm::vec3& p) {
+        const float bumps = std::sin(31.0F * p.x) * std::sin(37.0F * p.y) * std::sin(41.0F * p.z + 1.0F);
+        return p * (1.0F + 0.02F * bumps);
+    });
+    FormOptions options{.period_m = 0.1F, .smoothing = 0.05F};
+    const FormField tangle = follow_form(mesh.positions, mesh.indices, options);
+    ASSERT_TRUE(tangle.follows_form);
+    options.most_singular_share = 0.5F * static_cast<float>(tangle.faults.singular_triangles) /
+                                  static_cast<float>(tangle.corners.size());
+    ASSERT_GT(tangle.faults.singular_triangles, 64U);
+    const FormField field = follow_form(mesh.positions, mesh.indices, options);
+    EXPECT_FALSE(field.follows_form);
+    for (size_t t = 0; t < field.corners.size(); ++t) {
+        EXPECT_EQ(field.is_faulty[t], 0);
+        const glm::vec2 slope = field.corners[t][1] - field.corners[t][0];
+        const glm::vec3 way = mesh.positions[mesh.indices[3 * t + 1]] - mesh.positions[mesh.indices[3 * t]];
+        EXPECT_NEAR(slope.x, glm::dot(way, glm::vec3(0.2998F, 0.8995F, -0.3198F)) / 0.1F, 1e-3F);
+    }
+}
+
 TEST(Form, IsStraightAndLevelOnAWall)
 {
     const TestMesh mesh = make_grid({.columns = 30, .rows = 20},

@@ -12,6 +12,7 @@
 #include "shaders/color.glsl"
 #include "shaders/surface_images.glsl"
 #include "shaders/tone.glsl"
+#include "shaders/unit.glsl"
 #include "techniques/hatch/hatch.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -47,6 +48,11 @@ layout(scalar, binding = 8) buffer DarkTiles
 // Number of the style variant (the style of certain materials or objects) of each draw call.
 layout(binding = 9) uniform usamplerBuffer variant_texels;
 
+layout(binding = 11) uniform usampler2D normal_image;
+
+// Visible share of the sun, negative where the surface turns away from the sun.
+layout(binding = 10) uniform sampler2D sun_image;
+
 layout(push_constant, scalar) uniform Constants
 {
     DarknessConstants constants;
@@ -56,7 +62,27 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_fade = (variant & darkness_has_fade) != 0u;
 const bool has_screen = (variant & darkness_has_screen) != 0u;
 const bool has_variants = (variant & darkness_has_variants) != 0u;
+const bool has_causes = (variant & darkness_has_causes) != 0u;
 const bool keeps_ink = (variant & darkness_keeps_ink) != 0u;
+
+// Height of the normal from which a surface counts as level, like the ground.
+const float least_level = 0.8;
+const float most_level = 0.95;
+// Darkness from which a surface that the sun does not reach counts as shade: lamps may light it.
+const float least_shade = 0.3;
+const float most_shade = 0.6;
+
+// How many layers of ink replace one layer of the hatching at a pixel.
+float layers_at(ivec2 pixel, uint draw, float dark)
+{
+    vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).y);
+    float sun = texelFetch(sun_image, pixel, 0).x;
+    bool is_ground = any(equal(uvec2(draw), constants.ground_draws));
+    float level = is_ground ? 1.0 : smoothstep(least_level, most_level, normal.y);
+    float of_shade = sun < 0.0 && !is_ground ? constants.form_shade : constants.cast_shade;
+    float shade = (1.0 - max(sun, 0.0)) * smoothstep(least_shade, most_shade, dark);
+    return mix(1.0, of_shade, shade) * mix(1.0, constants.ground_shade, level);
+}
 
 float darkness_at(ivec2 pixel)
 {
@@ -64,6 +90,9 @@ float darkness_at(ivec2 pixel)
     vec4 color = texelFetch(color_image, pixel, 0);
     float light = occluded(constants.tone, texelFetch(light_image, pixel, 0).a, color.a);
     float dark = darkness(constants.tone, light, luminance(color.rgb * color.rgb));
+    if (has_causes && sees_draw(word)) {
+        dark = 1.0 - pow(1.0 - min(dark, 0.9999), layers_at(pixel, draw_of(word), dark));
+    }
     if (has_fade) {
         float depth = max(texelFetch(depth_image, pixel, 0).x, 1e-9);
         float away = distance(anchor_at(frame, vec2(pixel) + 0.5, depth), frame.eye_anchor);

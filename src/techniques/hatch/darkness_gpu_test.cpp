@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Darkness of strokes, for surfaces and light that the tests set pixel by pixel.
+#include <array>
+#include <cmath>
+#include <optional>
+
 #include <gtest/gtest.h>
 
 #include "features/common/view.hpp"
@@ -14,8 +18,10 @@ namespace {
 constexpr glm::uvec2 darkness_px(32, 16);
 constexpr float dark_open = 102.0F / 255.0F; // visibility under occlusion on the left half
 
-/// Darkness of a white wall in a light of 0.8; its left half is occluded.
-std::vector<float> darkness_of(const shared::ToneConstants& tone)
+/// Darkness of a white wall in a light of `lit`; its left half is occluded. With `style`, the wall's columns
+/// turn away from the sun, are in shadow, in half shadow and lit, and so on; its lower half is level.
+std::vector<float> darkness_of(const shared::ToneConstants& tone, const HatchStyle& style = {},
+                               bool has_sun = false, uint32_t ground_draw = UINT32_MAX, float lit = 0.8F)
 {
     const auto globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = darkness_px});
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
@@ -24,23 +30,30 @@ std::vector<float> darkness_of(const shared::ToneConstants& tone)
     auto color = test::Layer::root_color(darkness_px, [](glm::uvec2 pixel) {
         return glm::vec4(1.0F, 1.0F, 1.0F, pixel.x < darkness_px.x / 2 ? dark_open : 1.0F);
     });
-    auto light = test::Layer::color(darkness_px, [](glm::uvec2) { return glm::vec4(0.8F); });
+    auto light = test::Layer::color(darkness_px, [&](glm::uvec2) { return glm::vec4(lit); });
     auto screen = test::Layer::root_color(glm::uvec2(1), [](glm::uvec2) { return glm::vec4(0.0F); });
+    constexpr std::array<float, 4> suns{-1.0F, 0.0F, 0.5F, 1.0F};
+    auto sun = test::Layer::depth(darkness_px, [&](glm::uvec2 pixel) { return suns.at(pixel.x % 4); });
+    auto normal = test::Layer::normals(darkness_px, [](glm::uvec2 pixel) {
+        return pixel.y < darkness_px.y / 2 ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+    });
     gpu::Graph graph;
     const auto drawn = draw.in(graph);
     const auto darkness = add_darkness(graph,
                                        {.frame = gpu::import_whole(graph, "frame", frame),
                                         .draw = drawn,
                                         .depth = depth.in(graph),
-                                        .normal = drawn,
+                                        .normal = normal.in(graph),
                                         .color = color.in(graph),
                                         .coordinate = drawn,
                                         .footprint = drawn,
                                         .light = light.in(graph),
+                                        .sun = has_sun ? std::optional(sun.in(graph)) : std::nullopt,
+                                        .ground_draws = {UINT32_MAX, ground_draw},
                                         .screen = screen.in(graph),
                                         .tone = tone,
                                         .size_px = darkness_px},
-                                       {});
+                                       style);
     return test::run_and_read_coverage(graph, darkness.image);
 }
 
@@ -59,6 +72,27 @@ TEST(Darkness, DeepensWhereOcclusionKeepsLightOff)
     expect_halves(darkness_of(tone), 1.0F - 0.8F * dark_open, 0.2F);
     tone.occlusion = 0.5F;
     expect_halves(darkness_of(tone), 1.0F - 0.8F * 0.5F * (1.0F + dark_open), 0.2F);
+}
+
+TEST(Darkness, HasMoreOrFewerLayersByTheCauseOfShade)
+{
+    const shared::ToneConstants tone{.exposure = 1.0F, .gamma = 1.0F, .contrast = 1.0F, .ceiling = 1.0F};
+    const HatchStyle style{.form_shade = 3.0F, .cast_shade = 2.0F, .ground_shade = 0.5F};
+    const auto inked = [](float layers) { return 1.0F - std::pow(0.3F, layers); };
+    const std::array<float, 4> layers{3.0F, 2.0F, 1.5F, 1.0F};
+    const std::vector<float> walls = darkness_of(tone, style, true, UINT32_MAX, 0.3F);
+    const std::vector<float> ground = darkness_of(tone, style, true, 0, 0.3F);
+    for (uint32_t i = 0; i < walls.size(); ++i) {
+        const bool is_level = i / darkness_px.x >= darkness_px.y / 2;
+        const float upright = layers.at(i % 4);
+        EXPECT_NEAR(walls[i], inked(is_level ? 0.5F * upright : upright), 1e-3F) << i;
+        // The ground has no form of its own, however its triangles lie.
+        EXPECT_NEAR(ground[i], inked(0.5F * (i % 4 == 0 ? 2.0F : upright)), 1e-3F) << i;
+    }
+    expect_halves(darkness_of(tone, style), 0.2F, 0.2F); // without a sun, no shade has a cause
+    const std::vector<float> lamplit = darkness_of(tone, {.form_shade = 9.0F, .ground_shade = 1.0F}, true);
+    expect_halves(lamplit, 0.2F, 0.2F); // where lamps shine, there is no shade, wherever the sun is
+    expect_halves(darkness_of(tone, {.form_shade = 1.0F, .ground_shade = 1.0F}, true), 0.2F, 0.2F);
 }
 
 } // namespace

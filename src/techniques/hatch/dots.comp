@@ -31,6 +31,7 @@ layout(push_constant, scalar) uniform Constants
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_ink = (variant & dots_has_ink) != 0u;
+const bool marks_solid = (variant & dots_marks_solid) != 0u;
 
 // Radius of the dots, in spacings of the lattice, for dots that cover a given share of the page. If the share
 // is more than pi / 4, the dots overlap. Newton's method then takes into account the four circle segments by
@@ -95,7 +96,7 @@ void main()
     float ink = tone > 0.0
                     ? dot_ink(page_place(frame, vec2(pixel) + 0.5) - place_of(draw_of(word)), min(tone, 1.0))
                     : 0.0;
-    ink = dark >= constants.black_above || tone >= 1.0 ? 1.0 : ink;
+    ink = dark >= constants.black_above || tone >= 1.0 ? (marks_solid ? solid_ink : 1.0) : ink;
     if (has_ink) {
         ink = max(ink, imageLoad(out_ink, pixel).x);
     }

@@ -103,7 +103,7 @@ shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& st
             .layers = style.enabled ? static_cast<uint32_t>(style.layers) : 0U,
             .seed = layer.seed,
             .flat_axis_0 = layer.flat_axis,
-            .flat_axis_1 = turned(style.slant_deg + 62.0F),
+            .flat_axis_1 = turned(style.slant_deg + 50.0F),
             .flat_axis_2 = turned(style.slant_deg - 41.0F),
             .wind = layer.wind,
             .ground_wind = in.ground_wind,
@@ -116,7 +116,8 @@ uint32_t line_variant(const HatchInputs& in, const HatchStyle& style)
     return (style.growth > 0.0F ? shared::lines_has_growth : 0U) |
            (style.overrun_mm > 0.0F ? shared::lines_has_overrun : 0U) |
            (in.strongest_light ? shared::lines_has_local_light : 0U) |
-           (in.ink_before ? shared::lines_has_ink : 0U) | in.strokes_present << shared::lines_kinds_shift;
+           (in.ink_before ? shared::lines_has_ink : 0U) | (in.marks_solid ? shared::lines_marks_solid : 0U) |
+           in.strokes_present << shared::lines_kinds_shift;
 }
 
 MapInputs import_map(gpu::Graph& graph, MapImages& map)
@@ -127,6 +128,11 @@ MapInputs import_map(gpu::Graph& graph, MapImages& map)
             .size_px = map.size_px,
             .tone_count = map.tone_count,
             .level_count = map.level_count};
+}
+
+bool needs_causes(const HatchStyle& style)
+{
+    return style.form_shade != 1.0F || style.cast_shade != 1.0F || style.ground_shade != 1.0F;
 }
 
 Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
@@ -141,14 +147,20 @@ Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle
         in.ink_before ? pass.modify(*in.ink_before) : pass.write(ink_image(graph, in.size_px));
     const gpu::BufferId tiles = pass.modify(none);
     pass.sample(in.variant_of_draw.value_or(in.frame), gpu::Format::r32ui);
-    pass.variant((style.fade < 1.0F ? shared::darkness_has_fade : 0U) |
+    pass.sample(in.sun.value_or(in.light)).sample(in.normal);
+    pass.variant((in.sun && needs_causes(style) ? shared::darkness_has_causes : 0U) |
+                 (style.fade < 1.0F ? shared::darkness_has_fade : 0U) |
                  (in.has_screen ? shared::darkness_has_screen : 0U) |
                  (in.variant_of_draw ? shared::darkness_has_variants : 0U) |
                  (in.ink_before ? shared::darkness_keeps_ink : 0U));
     pass.push(shared::DarknessConstants{.tone = in.tone,
                                         .fade = style.fade,
                                         .fade_distance_m = style.fade_distance_m,
-                                        .style_variant = in.variant})
+                                        .style_variant = in.variant,
+                                        .form_shade = style.form_shade,
+                                        .cast_shade = style.cast_shade,
+                                        .ground_shade = style.ground_shade,
+                                        .ground_draws = in.ground_draws})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return {darkness, blank, tiles};
 }
@@ -185,7 +197,8 @@ gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& d
     pass.sample(in.map->thresholds, gpu::Sampling::linear_repeat).read(in.map->ramp).sample(source);
     const gpu::ImageId ink = pass.modify(darkness.blank);
     pass.variant(static_cast<uint32_t>(style.map_tone) | (overrun_px > 0.0F ? shared::map_has_overrun : 0U) |
-                 (in.ink_before ? shared::map_has_ink : 0U));
+                 (in.ink_before ? shared::map_has_ink : 0U) |
+                 (in.marks_solid ? shared::map_marks_solid : 0U));
     pass.push(shared::MapConstants{.size_px = in.size_px,
                                    .map_size_texels = in.map->size_px,
                                    .tone_count = in.map->tone_count,
@@ -205,7 +218,8 @@ gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& 
     pass.uniform(in.frame).sample(darkness.image).sample(in.draw).sample(in.draws.value());
     const gpu::ImageId ink = pass.modify(darkness.blank);
     const glm::vec2 across = turned(style.dots_deg);
-    pass.variant(in.ink_before ? shared::dots_has_ink : 0U);
+    pass.variant((in.ink_before ? shared::dots_has_ink : 0U) |
+                 (in.marks_solid ? shared::dots_marks_solid : 0U));
     pass.push(shared::DotConstants{.pitch_px = style.dots_mm * in.pixels_per_mm,
                                    .axis = {across.y, across.x},
                                    .steps = static_cast<uint32_t>(style.dots_tones),
@@ -275,8 +289,8 @@ const style::Table<HatchStyle>& hatch_table()
                      {"page", Coordinates::page},
                      {"slope", Coordinates::slope}},
                     "What hatching strokes follow. uv: texture coordinates; solid: parallel slices; form: "
-                    "curvature; height: contour levels; wind, light, page: the wind, light or page; slope: "
-                    "slopes of the ground; auto: slope on terrain, uv if unbroken, else solid.")
+                    "curvature; height: contour levels; wind, light, page; slope: slope of the ground; "
+                    "auto: slope on terrain, form on round bodies, else uv if unbroken, else solid.")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
                     "Angle by which hatching strokes are turned that follow texture coordinates (uv) or the "
                     "page. The second and third layer turn with the first layer.")
@@ -305,6 +319,15 @@ const style::Table<HatchStyle>& hatch_table()
             .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
                     "Darkness above which an area is filled with solid ink: less fills more areas. Above 1, "
                     "no area is filled.")
+            .number("form_shade", &HatchStyle::form_shade, {0.0F, 16.0F}, "",
+                    "How densely surfaces are hatched that turn away from the sun: 0 leaves them blank, 2 "
+                    "lays as much ink over them again, more fills them with black")
+            .number("cast_shade", &HatchStyle::cast_shade, {0.0F, 16.0F}, "",
+                    "How densely shadows are hatched that things throw in the sun: 0 leaves them blank, 2 "
+                    "lays as much ink over them again, more fills them with black")
+            .number("ground_shade", &HatchStyle::ground_shade, {0.0F, 16.0F}, "",
+                    "How densely the ground and level surfaces are hatched, in the light and in shade: 0 "
+                    "leaves them blank, less than 1 is lighter than other surfaces in the same light")
             .file("map", &HatchStyle::map,
                   "Tonal art map (set of stroke textures): a .tam file, or a folder of PNG or DDS files. If "
                   "empty, the strokes are made with the values of section tam. Only used when hatch.strokes "

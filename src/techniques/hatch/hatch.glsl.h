@@ -29,6 +29,9 @@ SHARED_CONSTANT uint darkness_has_variants = 1U << 2U;
 // The shader keeps the ink of style variants (styles of certain materials or objects) that were drawn earlier
 // in the frame.
 SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U;
+// Surfaces are hatched more or less densely where they turn away from the sun, where something else shuts the
+// sun off, and where they are level.
+SHARED_CONSTANT uint darkness_has_causes = 1U << 4U;
 
 // Variant bit (compiled-in feature) of overrun.comp: the first step of the jump flooding, in which each pixel
 // draws strokes only from itself.
@@ -44,6 +47,8 @@ SHARED_CONSTANT uint lines_has_local_light = 1U << 3U;
 // The shader adds its strokes to the ink of other style variants (styles of certain materials or objects),
 // drawn earlier in the frame.
 SHARED_CONSTANT uint lines_has_ink = 1U << 4U;
+// Where ink fills the paper completely, the shader writes `solid_ink`.
+SHARED_CONSTANT uint lines_marks_solid = 1U << 5U;
 // Position of the bits for kinds of stroke, one bit per kind, see stroke_kind.glsl.h.
 SHARED_CONSTANT uint lines_kinds_shift = 8U;
 
@@ -56,10 +61,12 @@ SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
 // The shader adds its strokes to the ink of other style variants (styles of certain materials or objects),
 // drawn earlier in the frame.
 SHARED_CONSTANT uint map_has_ink = 1U << 3U;
+SHARED_CONSTANT uint map_marks_solid = 1U << 4U; // as lines_marks_solid
 
 // Variant bit (compiled-in feature) of dots.comp: the shader adds its dots to the ink of other style variants
 // (styles of certain materials or objects), drawn earlier in the frame.
 SHARED_CONSTANT uint dots_has_ink = 1U << 0U;
+SHARED_CONSTANT uint dots_marks_solid = 1U << 1U; // as lines_marks_solid
 
 struct DarknessConstants {
     ToneConstants tone;
@@ -67,6 +74,12 @@ struct DarknessConstants {
     float fade_distance_m;
     // Number of the style variant (the style of certain materials or objects) whose surfaces are handled.
     uint style_variant;
+    // Layers of ink that replace one layer: where surfaces turn away from the sun, where something shuts the
+    // sun off, and besides on level surfaces. 0 leaves them blank, 1 leaves the tone as it is.
+    float form_shade;
+    float cast_shade;
+    float ground_shade;
+    uvec2 ground_draws; // draw calls of the ground and the terrain; UINT_MAX where there is none
 };
 
 struct LineConstants {

@@ -88,6 +88,9 @@ struct HatchStyle {
     /// Distance in metres over which hatching fades, from the style's `haze.hatching_distance_m`.
     float fade_distance_m = 60.0F;
     float black_above = 0.96F;
+    float form_shade = 1.4F;
+    float cast_shade = 1.0F;
+    float ground_shade = 0.85F;
     std::string map;
     MapTone map_tone = MapTone::order;
     float map_contrast = 12.0F;
@@ -99,6 +102,9 @@ struct HatchStyle {
 };
 
 [[nodiscard]] const style::Table<HatchStyle>& hatch_table();
+
+/// Whether a style hatches shade more or less densely by its cause, for which HatchInputs::sun is needed.
+[[nodiscard]] bool needs_causes(const HatchStyle& style);
 
 /// The first layer of lines in full shadow. Effects with marks that follow the strokes of the first layer
 /// need the values of FirstLayer.
@@ -134,6 +140,10 @@ struct HatchInputs {
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
     gpu::ImageId light;
+    /// Visible share of the sun, see light::LitPixels; set if a style needs_causes().
+    std::optional<gpu::ImageId> sun;
+    /// Draw calls of the ground and the terrain; UINT32_MAX where there is none.
+    glm::uvec2 ground_draws{UINT32_MAX};
     gpu::ImageId screen; ///< colour and coverage of transparent surfaces; a single texel if there are none
     bool has_screen = false;
     shared::ToneConstants tone;
@@ -157,6 +167,8 @@ struct HatchInputs {
     /// Ink of other style variants (styles of certain materials or objects) that were drawn earlier in the
     /// frame.
     std::optional<gpu::ImageId> ink_before;
+    bool marks_solid =
+        false; ///< writes shared::solid_ink where ink fills the paper, for contour::add_spared()
 };
 
 /// Style of hatching for the surfaces of one style variant (the style of certain materials or objects).

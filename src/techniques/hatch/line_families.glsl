@@ -9,6 +9,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_growth = (variant & lines_has_growth) != 0u;
 const bool has_overrun = (variant & lines_has_overrun) != 0u;
 const bool has_all_tiles = (variant & lines_has_all_tiles) != 0u;
+const bool marks_solid = (variant & lines_marks_solid) != 0u;
 const bool has_local_light = (variant & lines_has_local_light) != 0u;
 const uint kinds = variant >> lines_kinds_shift;
 const uint directed_kinds =

@@ -74,8 +74,9 @@ void main()
     uint strongest = has_local_light ? texelFetch(strongest_image, source, 0).x : 0u;
     towards_light = towards_light_of(strongest);
     float ink = strokes(p, f, normal, kind, dark);
-    ink = max(ink,
-              source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0);
+    float solid =
+        source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0;
+    ink = marks_solid && solid >= 1.0 ? solid_ink : max(ink, solid);
     if (has_ink) {
         ink = max(ink, imageLoad(out_ink, pixel).x);
     }

@@ -38,6 +38,7 @@ const bool in_order = (variant & map_tone_mask) == map_in_order;
 const bool in_steps = (variant & map_tone_mask) == map_in_steps;
 const bool has_overrun = (variant & map_has_overrun) != 0u;
 const bool has_ink = (variant & map_has_ink) != 0u;
+const bool marks_solid = (variant & map_marks_solid) != 0u;
 
 #define OVERRUN_PX constants.overrun_px
 #include "techniques/hatch/overrun_source.glsl"
@@ -182,8 +183,9 @@ void main()
     Levels levels = levels_at(place_on(kind, p, f));
     float ink = in_order ? ordered_ink(levels, dark) : layered_ink(levels, dark);
     ink = dark > 0.002 ? ink : 0.0;
-    ink = max(ink,
-              source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0);
+    float solid =
+        source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0;
+    ink = marks_solid && solid >= 1.0 ? solid_ink : max(ink, solid);
     if (has_ink) {
         ink = max(ink, imageLoad(out_ink, pixel).x);
     }

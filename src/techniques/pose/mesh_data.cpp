@@ -67,6 +67,7 @@ struct UploadedPrimitive {
     uint32_t first_morph_offset = 0;
     Bounds bounds;
     bool follows_uv = false;
+    bool is_round = false;
 };
 
 class Builder {
@@ -178,6 +179,7 @@ private:
                 draw.first_morph_weight = first_weight;
                 draw.object = node_index;
                 draw.flags = (uploaded.follows_uv ? shared::draw_follows_uv : 0U) |
+                             (uploaded.is_round ? shared::draw_is_round : 0U) |
                              (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
                 const Material& material = scene_.materials[primitive.material];
                 draw.flags |= is_cut(material) ? shared::draw_is_cut : 0U;
@@ -250,6 +252,7 @@ private:
         result.first_rest_vertex = static_cast<uint32_t>(data_.rest_vertices.size());
         result.first_morph_offset = static_cast<uint32_t>(data_.morph_offsets.size());
         result.follows_uv = uvs_are_usable(primitive);
+        result.is_round = is_round(primitive);
         const size_t count = primitive.positions.size();
         for (size_t i = 0; i < count; ++i) {
             const glm::vec4 color = value_or(primitive.colors, i, glm::vec4(1.0F));

@@ -396,4 +396,76 @@ bool uvs_are_usable(const Primitive& primitive)
     return lengths.seams <= most_seam_length * lengths.inner;
 }
 
+namespace {
+
+/// Whether a surface breaks at many of its places: normals of vertices at one place differ by more than 45
+/// degrees.
+bool has_many_edges(const Primitive& primitive)
+{
+    constexpr float hard_cosine = 0.7F;
+    constexpr double most_share = 0.08;
+
+    struct Place {
+        size_t first_vertex = 0;
+        bool is_hard = false;
+    };
+
+    std::map<std::array<float, 3>, Place> places;
+    size_t hard = 0;
+    for (size_t v = 0; v < primitive.positions.size(); ++v) {
+        const glm::vec3& at = primitive.positions[v];
+        const auto [entry, is_new] = places.try_emplace({at.x, at.y, at.z}, Place{.first_vertex = v});
+        Place& place = entry->second;
+        if (!is_new && !place.is_hard &&
+            glm::dot(primitive.normals[v], primitive.normals[place.first_vertex]) < hard_cosine) {
+            place.is_hard = true;
+            ++hard;
+        }
+    }
+    return static_cast<double>(hard) > most_share * static_cast<double>(places.size());
+}
+
+} // namespace
+
+bool is_round(const Primitive& primitive)
+{
+    constexpr float least_bend_cosine = 0.9997F; // cosine of 1.5 degrees
+    constexpr double least_curved_share = 0.6;
+    constexpr double least_roundness = 0.2;
+    if (primitive.normals.size() != primitive.positions.size()) {
+        return false;
+    }
+    double area_all = 0.0;
+    double area_curved = 0.0;
+    glm::dvec3 sum(0.0);
+    glm::dmat3 products(0.0);
+    for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        const uint32_t* corner = &primitive.indices[i];
+        const glm::vec3& origin = primitive.positions[corner[0]];
+        const double area = glm::length(
+            glm::cross(primitive.positions[corner[1]] - origin, primitive.positions[corner[2]] - origin));
+        const glm::vec3& a = primitive.normals[corner[0]];
+        const glm::vec3& b = primitive.normals[corner[1]];
+        const glm::vec3& c = primitive.normals[corner[2]];
+        const float least_cosine = std::min({glm::dot(a, b), glm::dot(b, c), glm::dot(c, a)});
+        area_all += area;
+        if (least_cosine < least_bend_cosine) {
+            const glm::dvec3 normal(glm::normalize(a + b + c));
+            area_curved += area;
+            sum += area * normal;
+            products += area * glm::outerProduct(normal, normal);
+        }
+    }
+    if (!(area_curved > 0.0 && area_curved >= least_curved_share * area_all)) {
+        return false;
+    }
+    // The covariance of the normals: a third of the unit matrix for a sphere, singular for a cylinder or
+    // cone.
+    const glm::dvec3 mean = sum / area_curved;
+    const glm::dmat3 covariance = products / area_curved - glm::outerProduct(mean, mean);
+    const double third = (covariance[0][0] + covariance[1][1] + covariance[2][2]) / 3.0;
+    return glm::determinant(covariance) > least_roundness * third * third * third &&
+           !has_many_edges(primitive);
+}
+
 } // namespace estampe::pose

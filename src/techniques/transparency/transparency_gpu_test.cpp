@@ -342,9 +342,10 @@ TEST(Transparency, AsManyLayersAreDrawnAsTheSceneCanShow)
 TEST(Transparency, APaleScreenThinsTheStrokesBehindIt)
 {
     Style strokes;
-    for (const char* assignment : {"wash.strength=0", "contour.enabled=false", "paper.grain=0",
-                                   "paper.ink_break=0", "paper.color=#ffffff", "paper.ink=#000000",
-                                   "sky.enabled=false", "light.exposure_stops=-3", "paper.margin_mm=0"}) {
+    for (const char* assignment :
+         {"wash.strength=0", "contour.enabled=false", "paper.grain=0", "paper.ink_break=0",
+          "paper.color=#ffffff", "paper.ink=#000000", "sky.enabled=false", "light.exposure_stops=-3",
+          "paper.margin_mm=0", "hatch.coordinates=solid"}) {
         strokes.set(assignment);
     }
     const auto ink = [&](float opacity) {
