@@ -10,6 +10,8 @@
 #include <set>
 #include <span>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <meshoptimizer.h>
 
@@ -398,31 +400,50 @@ bool uvs_are_usable(const Primitive& primitive)
 
 namespace {
 
-/// Whether a surface breaks at many of its places: normals of vertices at one place differ by more than 45
-/// degrees.
-bool has_many_edges(const Primitive& primitive)
+/// Whether a surface folds by more than 45 degrees at many edges: more than 10 % of the number of triangles.
+/// Vertices at one place count as one, whatever their normals.
+bool has_many_folds(const Primitive& primitive)
 {
-    constexpr float hard_cosine = 0.7F;
-    constexpr double most_share = 0.08;
+    constexpr float fold_cosine = 0.7071F;
+    constexpr double most_share = 0.1;
+    const auto place_of = [&](uint32_t vertex) {
+        const glm::vec3& at = primitive.positions[vertex];
+        return std::tuple(at.x, at.y, at.z);
+    };
+    std::vector<uint32_t> order(primitive.positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, place_of);
+    std::vector<uint32_t> point_of(order.size());
+    for (size_t i = 0, point = 0; i < order.size(); ++i) {
+        point += i > 0 && place_of(order[i]) != place_of(order[i - 1]) ? 1 : 0;
+        point_of[order[i]] = static_cast<uint32_t>(point);
+    }
 
-    struct Place {
-        size_t first_vertex = 0;
-        bool is_hard = false;
+    struct Edge {
+        uint64_t points = 0;
+        glm::vec3 normal{0.0F}; ///< of one of the edge's triangles
     };
 
-    std::map<std::array<float, 3>, Place> places;
-    size_t hard = 0;
-    for (size_t v = 0; v < primitive.positions.size(); ++v) {
-        const glm::vec3& at = primitive.positions[v];
-        const auto [entry, is_new] = places.try_emplace({at.x, at.y, at.z}, Place{.first_vertex = v});
-        Place& place = entry->second;
-        if (!is_new && !place.is_hard &&
-            glm::dot(primitive.normals[v], primitive.normals[place.first_vertex]) < hard_cosine) {
-            place.is_hard = true;
-            ++hard;
+    std::vector<Edge> edges;
+    edges.reserve(primitive.indices.size());
+    for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        const uint32_t* corner = &primitive.indices[i];
+        const glm::vec3& origin = primitive.positions[corner[0]];
+        const glm::vec3 normal =
+            glm::cross(primitive.positions[corner[1]] - origin, primitive.positions[corner[2]] - origin);
+        const float length = glm::length(normal);
+        for (size_t k = 0; k < 3 && length > 0.0F; ++k) {
+            const auto [low, high] = std::minmax(point_of[corner[k]], point_of[corner[(k + 1) % 3]]);
+            edges.push_back({uint64_t{low} << 32U | high, normal / length});
         }
     }
-    return static_cast<double>(hard) > most_share * static_cast<double>(places.size());
+    std::ranges::stable_sort(edges, {}, &Edge::points);
+    size_t folds = 0;
+    for (size_t i = 1; i < edges.size(); ++i) {
+        const bool is_shared = edges[i].points == edges[i - 1].points;
+        folds += is_shared && glm::dot(edges[i].normal, edges[i - 1].normal) < fold_cosine ? 1 : 0;
+    }
+    return static_cast<double>(folds) > most_share * static_cast<double>(primitive.indices.size() / 3);
 }
 
 } // namespace
@@ -465,7 +486,7 @@ bool is_round(const Primitive& primitive)
     const glm::dmat3 covariance = products / area_curved - glm::outerProduct(mean, mean);
     const double third = (covariance[0][0] + covariance[1][1] + covariance[2][2]) / 3.0;
     return glm::determinant(covariance) > least_roundness * third * third * third &&
-           !has_many_edges(primitive);
+           !has_many_folds(primitive);
 }
 
 } // namespace estampe::pose
