@@ -88,7 +88,7 @@ struct HatchStyle {
     /// Distance in metres over which hatching fades, from the style's `haze.hatching_distance_m`.
     float fade_distance_m = 60.0F;
     float black_above = 0.96F;
-    float form_shade = 1.4F;
+    float form_shade = 1.15F;
     float cast_shade = 1.0F;
     float ground_shade = 0.85F;
     std::string map;
