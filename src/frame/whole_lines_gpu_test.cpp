@@ -182,7 +182,7 @@ TEST(WholeLines, TheOutlineOfACoarseBallIsRound)
     }
 }
 
-/// The same triangles, each with the normal of its plane.
+/// Returns the triangles of `primitive` with flat shading: each vertex has the normal of its triangle.
 Primitive flat_shaded(const Primitive& primitive)
 {
     Primitive flat;

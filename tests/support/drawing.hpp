@@ -131,6 +131,8 @@ public:
     RasterPath path = RasterPath::compute;
     raster::Tuning tuning;
     bool with_ground = false;
+    /// How the passes that draw lines work; if not set, as suits the shared device.
+    std::optional<gpu::ExecutionProfile> line_execution;
     LightSetup line_light{.ambient = glm::vec3(1.0F)}; ///< the light that lines are drawn in
     pose::MeshData& layout;                            ///< belongs to `loaded`
     const pose::PoseData& pose;                        ///< belongs to `loaded`

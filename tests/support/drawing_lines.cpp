@@ -21,9 +21,11 @@ void Drawing::prepare_lines(const contour::ContourStyle& style, float pixels_per
 
 contour::ContourInputs Drawing::add_lit_lines(const Stage& stage)
 {
-    return frame::contour_inputs(stage.context, stage.scene, stage.visibility, stage.surface,
-                                 add_light(stage, line_light),
-                                 frame::add_transparency(stage.context, stage.scene, stage.visibility));
+    contour::ContourInputs inputs = frame::contour_inputs(
+        stage.context, stage.scene, stage.visibility, stage.surface, add_light(stage, line_light),
+        frame::add_transparency(stage.context, stage.scene, stage.visibility));
+    inputs.execution = line_execution.value_or(inputs.execution);
+    return inputs;
 }
 
 std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixels_per_mm, bool remembers)

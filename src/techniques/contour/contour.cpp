@@ -135,7 +135,7 @@ void add_hand_keys(ContourTable& table)
                 "around a shape, 1 leaves lines only in shade. Only used when contour.lines is chains.")
         .number("spared", &ContourStyle::spared, {0.0F, 1.0F}, "",
                 "How far ink lines are left white where they run through solid black, see hatch.black_above. "
-                "0 loses them in the black, 1 spares them.")
+                "0 draws such lines black, so that these lines are lost; 1 leaves such lines white.")
         .number("gap_mm", &ContourStyle::gap_mm, {0.0F, 20.0F}, "mm",
                 "How far an ink line stops before a nearer line behind which it goes on. 0 draws up to the "
                 "nearer line, more leaves a white gap that shows which shape is in front. Only used when "

@@ -236,8 +236,8 @@ struct InkImages {
     gpu::ImageId lines;
 };
 
-/// Leaves lines white where they run through solid black, as a brush spares them: the style's `spared`. In
-/// `ink`, hatching must mark solid black, see hatch::HatchInputs::marks_solid; in the result it does not.
+/// Leaves lines white where the lines run through solid black, by the style's value `spared`. The hatching of
+/// `ink` must mark solid black, see hatch::HatchInputs::marks_solid; the returned hatching has no marks.
 /// Cost: one full-screen dispatch.
 [[nodiscard]] InkImages add_spared(gpu::Graph& graph, const InkImages& ink, const ContourStyle& style,
                                    float pixels_per_mm);

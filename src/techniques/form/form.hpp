@@ -24,8 +24,9 @@ struct FormOptions {
     /// horizontal.
     glm::vec3 up{0.0F, 1.0F, 0.0F};
     uint32_t seed = 1;
-    /// A field with more than 64 singular triangles, and more than this share of all triangles, is a tangle
-    /// and is not used. 1 uses every field.
+    /// Largest share of singular triangles among the triangles of a usable field. A field with a larger
+    /// share, and with more than 64 singular triangles, is a tangle and is not used. The value 1 accepts
+    /// every field.
     float most_singular_share = 1.0F;
 };
 

@@ -48,10 +48,9 @@ layout(scalar, binding = 8) buffer DarkTiles
 // Number of the style variant (the style of certain materials or objects) of each draw call.
 layout(binding = 9) uniform usamplerBuffer variant_texels;
 
-layout(binding = 11) uniform usampler2D normal_image;
-
 // Visible share of the sun, negative where the surface turns away from the sun.
 layout(binding = 10) uniform sampler2D sun_image;
+layout(binding = 11) uniform usampler2D normal_image;
 
 layout(push_constant, scalar) uniform Constants
 {

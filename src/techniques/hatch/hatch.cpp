@@ -289,8 +289,8 @@ const style::Table<HatchStyle>& hatch_table()
                      {"page", Coordinates::page},
                      {"slope", Coordinates::slope}},
                     "What hatching strokes follow. uv: texture coordinates; solid: parallel slices; form: "
-                    "curvature; height: contour levels; wind, light, page; slope: slope of the ground; "
-                    "auto: slope on terrain, form on round bodies, else uv if unbroken, else solid.")
+                    "curvature; height: contour levels; wind, light, page: the wind, light or page; slope: "
+                    "ground slopes; auto: slope on terrain, form on round bodies, else uv or solid.")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
                     "Angle by which hatching strokes are turned that follow texture coordinates (uv) or the "
                     "page. The second and third layer turn with the first layer.")
@@ -320,14 +320,14 @@ const style::Table<HatchStyle>& hatch_table()
                     "Darkness above which an area is filled with solid ink: less fills more areas. Above 1, "
                     "no area is filled.")
             .number("form_shade", &HatchStyle::form_shade, {0.0F, 16.0F}, "",
-                    "How densely surfaces are hatched that turn away from the sun: 0 leaves them blank, 2 "
-                    "lays as much ink over them again, more fills them with black")
+                    "How densely surfaces that turn away from the sun are hatched: 0 leaves such surfaces "
+                    "blank, 1 keeps the tone, 2 draws a second layer of as much ink, more draws black")
             .number("cast_shade", &HatchStyle::cast_shade, {0.0F, 16.0F}, "",
-                    "How densely shadows are hatched that things throw in the sun: 0 leaves them blank, 2 "
-                    "lays as much ink over them again, more fills them with black")
+                    "How densely shadows that things throw in the sun are hatched: 0 leaves such shadows "
+                    "blank, 1 keeps the tone, 2 draws a second layer of as much ink, more draws black")
             .number("ground_shade", &HatchStyle::ground_shade, {0.0F, 16.0F}, "",
                     "How densely the ground and level surfaces are hatched, in the light and in shade: 0 "
-                    "leaves them blank, less than 1 is lighter than other surfaces in the same light")
+                    "leaves such surfaces blank, 1 keeps the tone, less is lighter, more is darker")
             .file("map", &HatchStyle::map,
                   "Tonal art map (set of stroke textures): a .tam file, or a folder of PNG or DDS files. If "
                   "empty, the strokes are made with the values of section tam. Only used when hatch.strokes "

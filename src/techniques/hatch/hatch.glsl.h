@@ -61,12 +61,14 @@ SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
 // The shader adds its strokes to the ink of other style variants (styles of certain materials or objects),
 // drawn earlier in the frame.
 SHARED_CONSTANT uint map_has_ink = 1U << 3U;
-SHARED_CONSTANT uint map_marks_solid = 1U << 4U; // as lines_marks_solid
+// Where ink fills the paper completely, the shader writes `solid_ink`.
+SHARED_CONSTANT uint map_marks_solid = 1U << 4U;
 
 // Variant bit (compiled-in feature) of dots.comp: the shader adds its dots to the ink of other style variants
 // (styles of certain materials or objects), drawn earlier in the frame.
 SHARED_CONSTANT uint dots_has_ink = 1U << 0U;
-SHARED_CONSTANT uint dots_marks_solid = 1U << 1U; // as lines_marks_solid
+// Where ink fills the paper completely, the shader writes `solid_ink`.
+SHARED_CONSTANT uint dots_marks_solid = 1U << 1U;
 
 struct DarknessConstants {
     ToneConstants tone;

@@ -167,8 +167,8 @@ struct HatchInputs {
     /// Ink of other style variants (styles of certain materials or objects) that were drawn earlier in the
     /// frame.
     std::optional<gpu::ImageId> ink_before;
-    bool marks_solid =
-        false; ///< writes shared::solid_ink where ink fills the paper, for contour::add_spared()
+    /// Whether hatching has the value shared::solid_ink where ink fills the paper, for contour::add_spared().
+    bool marks_solid = false;
 };
 
 /// Style of hatching for the surfaces of one style variant (the style of certain materials or objects).

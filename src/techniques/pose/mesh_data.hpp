@@ -135,7 +135,7 @@ struct MeshData {
 
 /// Whether a primitive is a round body: most of its area is curved, as its normals tell, the normals point in
 /// all directions, and few edges are folds. A box, a cylinder, a cone, a slightly bent sheet or a device of
-/// many parts is not round. Cost: linear; n log n in triangles for a round body.
+/// many parts is not round. Cost: linear in triangles.
 [[nodiscard]] bool is_round(const Primitive& primitive);
 
 /// The data of a pose, which changes from frame to frame, ready for upload.

@@ -10,8 +10,6 @@
 #include <set>
 #include <span>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include <meshoptimizer.h>
 
@@ -263,12 +261,7 @@ uint32_t end_of(uint32_t corner)
     return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-/// Total length of inner edges, and total length of inner edges on texture seams.
-struct EdgeLengths {
-    double inner = 0.0;
-    double seams = 0.0;
-};
-
+/// Finds the pairs of triangles that share an edge.
 class Edges {
 public:
     explicit Edges(const Primitive& primitive)
@@ -276,16 +269,20 @@ public:
     {
     }
 
-    EdgeLengths measure()
+    /// Calls `take(there, back)` for each edge between two triangles, with the edge's first corner in either
+    /// triangle: `back` runs against `there`.
+    template <class Take>
+    void visit(const Take& take)
     {
         file_sides();
         for (size_t place = 0; place + 1 < first_.size(); ++place) {
             const std::span<Side> sides(sides_.data() + first_[place], first_[place + 1] - first_[place]);
             for (size_t i = 0; i < sides.size(); ++i) {
-                pair_with_earlier(sides.first(i), sides[i]);
+                if (const Side* const other = pair_with_earlier(sides.first(i), sides[i])) {
+                    take(other->corner, sides[i].corner);
+                }
             }
         }
-        return lengths_;
     }
 
 private:
@@ -309,8 +306,9 @@ private:
         }
     }
 
-    /// Pairs an edge with the last unpaired earlier edge that runs the opposite way.
-    void pair_with_earlier(std::span<Side> earlier, Side& side)
+    /// Pairs an edge with the last unpaired earlier edge that runs the opposite way. Returns that edge, or
+    /// null if there is none.
+    static const Side* pair_with_earlier(std::span<Side> earlier, Side& side)
     {
         constexpr size_t most = 256; // limits the search at vertices with very many triangles
         const size_t first = earlier.size() - std::min(earlier.size(), most);
@@ -319,23 +317,10 @@ private:
             if (!other.is_paired && other.higher == side.higher && other.goes_up != side.goes_up) {
                 other.is_paired = true;
                 side.is_paired = true;
-                add(other.corner, side.corner);
-                return;
+                return &other;
             }
         }
-    }
-
-    void add(uint32_t there, uint32_t back)
-    {
-        const auto uv = [this](uint32_t corner) { return primitive_.uvs[0][primitive_.indices[corner]]; };
-        const auto position = [this](uint32_t corner) {
-            return primitive_.positions[primitive_.indices[corner]];
-        };
-        const double length = glm::distance(position(back), position(end_of(back)));
-        const bool joined = glm::distance(uv(there), uv(end_of(back))) < 1e-4F &&
-                            glm::distance(uv(end_of(there)), uv(back)) < 1e-4F;
-        lengths_.inner += length;
-        lengths_.seams += joined ? 0.0 : length;
+        return nullptr;
     }
 
     const Primitive& primitive_;
@@ -343,8 +328,28 @@ private:
     std::vector<uint32_t> places_;
     std::vector<uint32_t> first_; ///< for each position number, the index in sides_ of the first edge
     std::vector<Side> sides_;
-    EdgeLengths lengths_;
 };
+
+/// Total length of inner edges, and total length of inner edges on texture seams.
+struct EdgeLengths {
+    double inner = 0.0;
+    double seams = 0.0;
+};
+
+EdgeLengths measure_edges(const Primitive& primitive)
+{
+    const auto uv = [&](uint32_t corner) { return primitive.uvs[0][primitive.indices[corner]]; };
+    const auto position = [&](uint32_t corner) { return primitive.positions[primitive.indices[corner]]; };
+    EdgeLengths lengths;
+    Edges(primitive).visit([&](uint32_t there, uint32_t back) {
+        const double length = glm::distance(position(back), position(end_of(back)));
+        const bool joined = glm::distance(uv(there), uv(end_of(back))) < 1e-4F &&
+                            glm::distance(uv(end_of(there)), uv(back)) < 1e-4F;
+        lengths.inner += length;
+        lengths.seams += joined ? 0.0 : length;
+    });
+    return lengths;
+}
 
 /// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite for a
 /// degenerate triangle.
@@ -394,56 +399,31 @@ bool uvs_are_usable(const Primitive& primitive)
     if (!(area_bad <= most_bad_area * area_all)) {
         return false;
     }
-    const EdgeLengths lengths = Edges(primitive).measure();
+    const EdgeLengths lengths = measure_edges(primitive);
     return lengths.seams <= most_seam_length * lengths.inner;
 }
 
 namespace {
 
 /// Whether a surface folds by more than 45 degrees at many edges: more than 10 % of the number of triangles.
-/// Vertices at one place count as one, whatever their normals.
+/// Triangles without area fold nothing.
 bool has_many_folds(const Primitive& primitive)
 {
     constexpr float fold_cosine = 0.7071F;
-    constexpr double most_share = 0.1;
-    const auto place_of = [&](uint32_t vertex) {
-        const glm::vec3& at = primitive.positions[vertex];
-        return std::tuple(at.x, at.y, at.z);
+    constexpr size_t triangles_per_fold = 10;
+    const auto normal_of = [&](uint32_t corner) { // as long as the triangle is large
+        const uint32_t* first = &primitive.indices[corner / 3 * 3];
+        const glm::vec3& origin = primitive.positions[first[0]];
+        return glm::cross(primitive.positions[first[1]] - origin, primitive.positions[first[2]] - origin);
     };
-    std::vector<uint32_t> order(primitive.positions.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, place_of);
-    std::vector<uint32_t> point_of(order.size());
-    for (size_t i = 0, point = 0; i < order.size(); ++i) {
-        point += i > 0 && place_of(order[i]) != place_of(order[i - 1]) ? 1 : 0;
-        point_of[order[i]] = static_cast<uint32_t>(point);
-    }
-
-    struct Edge {
-        uint64_t points = 0;
-        glm::vec3 normal{0.0F}; ///< of one of the edge's triangles
-    };
-
-    std::vector<Edge> edges;
-    edges.reserve(primitive.indices.size());
-    for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-        const uint32_t* corner = &primitive.indices[i];
-        const glm::vec3& origin = primitive.positions[corner[0]];
-        const glm::vec3 normal =
-            glm::cross(primitive.positions[corner[1]] - origin, primitive.positions[corner[2]] - origin);
-        const float length = glm::length(normal);
-        for (size_t k = 0; k < 3 && length > 0.0F; ++k) {
-            const auto [low, high] = std::minmax(point_of[corner[k]], point_of[corner[(k + 1) % 3]]);
-            edges.push_back({uint64_t{low} << 32U | high, normal / length});
-        }
-    }
-    std::ranges::stable_sort(edges, {}, &Edge::points);
     size_t folds = 0;
-    for (size_t i = 1; i < edges.size(); ++i) {
-        const bool is_shared = edges[i].points == edges[i - 1].points;
-        folds += is_shared && glm::dot(edges[i].normal, edges[i - 1].normal) < fold_cosine ? 1 : 0;
-    }
-    return static_cast<double>(folds) > most_share * static_cast<double>(primitive.indices.size() / 3);
+    Edges(primitive).visit([&](uint32_t there, uint32_t back) {
+        const glm::vec3 one = normal_of(there);
+        const glm::vec3 other = normal_of(back);
+        const float lengths = glm::length(one) * glm::length(other);
+        folds += lengths > 0.0F && glm::dot(one, other) < fold_cosine * lengths ? 1 : 0;
+    });
+    return folds * triangles_per_fold > primitive.indices.size() / 3;
 }
 
 } // namespace

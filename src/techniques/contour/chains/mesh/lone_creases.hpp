@@ -20,8 +20,8 @@ namespace estampe::contour {
                                         const FeatureEdge& edge);
 
 /// Whether an edge folds the surface only because facets stand for a round shape, for example a fillet or a
-/// pillar of twelve sides: the fold is at most 41 degrees, and among the eight triangles around
-/// either facet the surface turns on in the same sense, together by at least half of the fold. Cost:
+/// pillar of twelve sides. The fold of such an edge is at most 41 degrees, and among the eight triangles
+/// around either facet the surface turns on in the same sense, together by at least half of the fold. Cost:
 /// constant.
 [[nodiscard]] bool is_between_facets(const EdgeMesh& mesh, std::span<const glm::vec3> positions,
                                      const FeatureEdge& edge);

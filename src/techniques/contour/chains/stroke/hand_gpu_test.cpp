@@ -51,6 +51,20 @@ TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
     EXPECT_NEAR(outline_px(4.0, style), outline_px(8.0, style), 0.2);
 }
 
+TEST(LineHand, LinesDoNotDependOnHowADeviceWorks)
+{
+    test::Drawing drawing(test::scene_of(shapes::torus(1.0F, 0.4F)), test::front_camera(4.0, hand_fov_rad),
+                          hand_page_px);
+    const ContourStyle style = even_lines(3.0F);
+    drawing.line_execution = gpu::ExecutionProfile{.is_processor = true};
+    const std::vector<float> by_processor = drawing.lines(style, 1.0F);
+    EXPECT_GT(sum_of(by_processor), 1000.0);
+    drawing.line_execution = gpu::ExecutionProfile{.is_processor = false};
+    const double wider = sum_of(drawing.lines(even_lines(9.0F), 1.0F)); // leaves wider lines in memory
+    EXPECT_GT(wider, 2.0 * sum_of(by_processor));
+    EXPECT_EQ(drawing.lines(style, 1.0F), by_processor);
+}
+
 /// A sheet 2 m wide and high whose vertical middle line, at the anchor, is nearest to +z: a fold between two
 /// flat halves, or the crest of a wave.
 Primitive folded_sheet(bool is_round)

@@ -57,7 +57,8 @@ struct JoinRule {
     bool only_one_kind = false;     ///< both paths must be of one kind of line
     /// A line goes on as the line at its end that bends least, if that bends by no more than 50 degrees.
     bool goes_straight_on = false;
-    /// A path that is shorter than this joins a path at its end, whatever their kinds and the bend.
+    /// A path shorter than `shortest_px` joins a path that ends at the same place, whatever the kinds of both
+    /// paths and the bend between them.
     float shortest_px = 0.0F;
 };
 
