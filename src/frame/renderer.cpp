@@ -341,10 +341,10 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
     frame::check_has_paths(plan.variants);
     plan.motion.reset();
-    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.enabled || tables.ink.enabled ||
-        tables.smoke.enabled) {
-        impl.notes.emplace_back(
-            "a drawing of strokes has neither wash nor sky, nor ink that runs or flows, nor smoke");
+    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.enabled ||
+        smudge::is_on(tables.smudge) || tables.ink.enabled || tables.smoke.enabled) {
+        impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs, flows or "
+                                "is rubbed, nor smoke");
     }
     if (plan.motion_blur) {
         impl.notes.emplace_back("a drawing of strokes has no motion blur, no speed lines and no smear");

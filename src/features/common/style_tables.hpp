@@ -34,6 +34,7 @@
 #include "techniques/sky/clouds/clouds.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/smoke/smoke_style.hpp"
+#include "techniques/smudge/smudge.hpp"
 #include "techniques/subsurface/subsurface.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
@@ -66,6 +67,7 @@ struct StyleTables {
     tam::TamStyle tam;
     contour::ContourStyle contour;
     bleed::BleedStyle bleed;
+    smudge::SmudgeStyle smudge;
     ink::InkStyle ink;
     smoke::SmokeStyle smoke;
     focus::FocusStyle focus_lines;

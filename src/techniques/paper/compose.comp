@@ -111,12 +111,25 @@ Paper paper_at(vec2 page_mm, int loop_count)
     return Paper(0.72 * tooth + 0.28 * fibre - 0.5, tooth, pooled - 0.5, stray);
 }
 
-// Share of a dry stroke that reaches the paper at a place: high spots of the paper get ink, hollows stay
-// bare. The mean equals the stroke's coverage, for any grain.
-float caught(float stroke, float tooth)
+// Range of the tooth from its deepest hollow to its highest spot. Smoothstep over this range gives about the
+// share of the paper that is lower.
+const float hollow = 0.205;
+const float summit = 0.795;
+// How soft the edges of the caught pigment are: rise of the share of the paper over which pigment fades.
+const float catch_width = 0.5;
+
+// Pigment of a dry stroke that stays at a place of the paper. High spots catch pigment first, and hollows
+// only where the stroke is dark. The mean over the paper is the stroke's coverage, because `level` solves
+//     coverage = mean of clamp((level - lower) / catch_width, 0, 1) for `lower` between 0 and 1.
+float caught(float coverage, float tooth)
 {
-    float bare = smoothstep(0.4, 0.68, 1.0 - tooth);
-    return clamp(stroke * mix(1.0, 1.4 - bare, constants.ink_grain), 0.0, 1.0);
+    float lower = 1.0 - smoothstep(hollow, summit, tooth);
+    float light = sqrt(2.0 * catch_width * coverage);
+    float dark = 1.0 + catch_width - sqrt(2.0 * catch_width * (1.0 - coverage));
+    float level = coverage < 0.5 * catch_width         ? light
+                  : coverage > 1.0 - 0.5 * catch_width ? dark
+                                                       : coverage + 0.5 * catch_width;
+    return mix(coverage, clamp((level - lower) / catch_width, 0.0, 1.0), constants.ink_grain);
 }
 
 // Distance to the edge of the drawing's window (the page inside the margin), negative inside.

@@ -413,14 +413,14 @@ TEST(Compose, TheBorderIsAsWideAsItIsSaidToBe)
 
 TEST(Compose, DryStrokesCatchOnTheToothAndStayAsDark)
 {
-    constexpr glm::uvec2 size_px(320, 240);
-    Layers inked;
-    inked.hatch = [](glm::uvec2) { return 0.7F; };
+    constexpr glm::uvec2 size_px(480, 360);
     PaperStyle style = smooth();
     style.grain = 1.0F;
     const auto heights = relief(style, size_px, 6.0F);
     style.grain = 0.0F;
-    const auto cover = [&](float grain) {
+    const auto cover = [&](float stroke, float grain) {
+        Layers inked;
+        inked.hatch = [=](glm::uvec2) { return stroke; };
         style.ink_grain = grain;
         std::vector<double> covers;
         for (const glm::vec4& color : compose(inked, style, size_px, 6.0F)) {
@@ -429,13 +429,17 @@ TEST(Compose, DryStrokesCatchOnTheToothAndStayAsDark)
         return covers;
     };
     for (const float grain : {0.4F, 1.0F}) {
-        const auto caught = cover(grain);
-        EXPECT_NEAR(mean(caught), 0.7, 0.04) << "grain " << grain;
+        for (const float stroke : {0.05F, 0.2F, 0.5F, 0.7F, 0.95F}) {
+            EXPECT_NEAR(mean(cover(stroke, grain)), stroke, 0.01) << stroke << ", grain " << grain;
+        }
+        const auto caught = cover(0.5F, grain);
         EXPECT_GT(correlation(caught, heights), 0.7) << "heights take more than hollows";
         const auto [least, most] = std::ranges::minmax(caught);
-        EXPECT_NEAR(least, 0.7 * (1.0 - 0.6 * static_cast<double>(grain)), 0.02);
-        EXPECT_GT(most, 0.7 + 0.2 * static_cast<double>(grain));
+        EXPECT_NEAR(least, 0.5 * (1.0 - static_cast<double>(grain)), 0.01);
+        EXPECT_NEAR(most, 0.5 + 0.5 * static_cast<double>(grain), 0.01);
     }
+    EXPECT_NEAR(std::ranges::max(cover(0.0F, 1.0F)), 0.0, 1e-3) << "no pigment";
+    EXPECT_NEAR(std::ranges::min(cover(1.0F, 1.0F)), 1.0, 1e-3) << "pressed into all hollows";
 }
 
 /// Develops pictures one after another with the same sums; returns the pixels after each.
