@@ -64,7 +64,7 @@ void declare_frame(const FrameContext& context)
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
     faded.lines = add_drift(context, scene, surface, faded.lines);
     faded = add_particles(context, scene, surface, colors.sky_wash, faded);
-    faded = add_smudge(context, faded);
+    faded = add_pigment(context, faded);
     // Flowing ink is emitted from the sharp drawing, so it runs before lens and motion blur.
     const auto flowing = add_flowing_ink(context, scene, visibility, surface, lit.light, faded);
     const auto cover = add_cover(context, scene, visibility, surface, faded, colors);

@@ -96,7 +96,8 @@ uint32_t overlap_px(const features::StyleTables& style, float pixels_per_mm)
     // Smallest overlap of tiles, because a pixel also depends on its neighbours: for a surface's slope, and
     // for edges between pixels.
     constexpr uint32_t neighbours_px = 4;
-    return bleed::reach_px(style.bleed, pixels_per_mm) + smudge::reach_px(style.smudge, pixels_per_mm) +
+    return bleed::reach_px(style.bleed, pixels_per_mm) + pigment::reach_px(style.pigment, pixels_per_mm) +
+           paper::reach_px(style.paper, pixels_per_mm) +
            std::max(hatch::reach_px(style.hatch, pixels_per_mm),
                     contour::reach_px(style.contour, pixels_per_mm)) +
            smoke::reach_px(style.smoke, pixels_per_mm) + lens::reach_px(style.lens, pixels_per_mm) +

@@ -342,7 +342,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     frame::check_has_paths(plan.variants);
     plan.motion.reset();
     if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.enabled ||
-        smudge::is_on(tables.smudge) || tables.ink.enabled || tables.smoke.enabled) {
+        pigment::is_on(tables.pigment) || tables.ink.enabled || tables.smoke.enabled) {
         impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs, flows or "
                                 "is rubbed, nor smoke");
     }

@@ -189,8 +189,9 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 [[nodiscard]] gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene,
                                      const surface::Surface& surface, gpu::ImageId lines);
 
-/// Softens the edges of strokes and lines, and rubs ink of strokes into the wash, if the style asks for it.
-[[nodiscard]] haze::HazeLayers add_smudge(const FrameContext& context, const haze::HazeLayers& layers);
+/// Moves pigment over the paper, if the style asks for it: soft edges and rubbed ink of dry strokes, paint
+/// that strays and pools.
+[[nodiscard]] haze::HazeLayers add_pigment(const FrameContext& context, const haze::HazeLayers& layers);
 
 /// Draws particles over colour and ink.
 [[nodiscard]] haze::HazeLayers add_particles(const FrameContext& context, const PosedScene& scene,

@@ -226,16 +226,16 @@ gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene, con
         plan->streaks, context.style.drift.ink, lines);
 }
 
-haze::HazeLayers add_smudge(const FrameContext& context, const haze::HazeLayers& layers)
+haze::HazeLayers add_pigment(const FrameContext& context, const haze::HazeLayers& layers)
 {
-    const smudge::SmudgeLayers smudged = smudge::add_smudge(
+    const pigment::PigmentLayers moved = pigment::add_pigment(
         context.graph,
         {.ink = context.style.paper.ink,
          .pixels_per_mm = context.plan.page.pixels_per_mm,
          .size_px = context.sample.size_px,
          .from_px = glm::uvec2(context.sample.from_px)},
-        context.style.smudge, {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines});
-    return {.wash = smudged.wash, .hatch = smudged.hatch, .lines = smudged.lines};
+        context.style.pigment, {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines});
+    return {.wash = moved.wash, .hatch = moved.hatch, .lines = moved.lines};
 }
 
 haze::HazeLayers add_particles(const FrameContext& context, const PosedScene& scene,

@@ -87,23 +87,24 @@ TEST_P(TiledPage, IsThePageThatIsDrawnWhole)
 
 INSTANTIATE_TEST_SUITE_P(
     Styles, TiledPage,
-    testing::Values(
-        TileCase{"Comic", "comic"}, TileCase{"ComicInSamples", "comic", {}, 4},
-        TileCase{"PencilOfAMap", "pencil", {"hatch.strokes=map", "hatch.overrun_mm=2"}},
-        TileCase{"Engraving", "engraving"}, TileCase{"WashMetered", "wash", {"light.metering=page"}, 2},
-        TileCase{"Ukiyoe", "ukiyoe"},
-        TileCase{"Charcoal",
-                 "charcoal",
-                 {"contour.joints=mitre", "contour.strokes=2", "bleed.enabled=true", "bleed.width_mm=2",
-                  "smudge.soft_mm=0.3", "smudge.strength=0.5"}},
-        TileCase{"HiddenLines", "blueprint"},
-        TileCase{"LinesOfThePage", "comic", {"contour.lines=page", "sky.enabled=true"}},
-        TileCase{"FlowingInk", "flowing-ink"},
-        TileCase{"FlowingInkInSamples", "flowing-ink", {"ink.follow=around", "ink.budget=0.05"}, 2},
-        TileCase{"ShadowLines",
-                 "manual",
-                 {"contour.shadow_edge.enabled=true", "contour.shadow_edge.width_mm=0.5",
-                  "contour.intersection.width_mm=0.5"}}),
+    testing::Values(TileCase{"Comic", "comic"}, TileCase{"ComicInSamples", "comic", {}, 4},
+                    TileCase{"PencilOfAMap", "pencil", {"hatch.strokes=map", "hatch.overrun_mm=2"}},
+                    TileCase{"Engraving", "engraving"},
+                    TileCase{"WashMetered", "wash", {"light.metering=page"}, 2}, TileCase{"Ukiyoe", "ukiyoe"},
+                    TileCase{"InkWash", "ink-wash"}, TileCase{"Risograph", "risograph"},
+                    TileCase{"Charcoal",
+                             "charcoal",
+                             {"contour.joints=mitre", "contour.strokes=2", "bleed.enabled=true",
+                              "bleed.width_mm=2", "pigment.pool=0.6", "pigment.stray_mm=1"}},
+                    TileCase{"HiddenLines", "blueprint"},
+                    TileCase{"LinesOfThePage", "comic", {"contour.lines=page", "sky.enabled=true"}},
+                    TileCase{"FlowingInk", "flowing-ink"},
+                    TileCase{
+                        "FlowingInkInSamples", "flowing-ink", {"ink.follow=around", "ink.budget=0.05"}, 2},
+                    TileCase{"ShadowLines",
+                             "manual",
+                             {"contour.shadow_edge.enabled=true", "contour.shadow_edge.width_mm=0.5",
+                              "contour.intersection.width_mm=0.5"}}),
     [](const testing::TestParamInfo<TileCase>& tested) { return tested.param.name; });
 
 TEST(DrawnTiles, ComeInBandsFromTheTopDown)

@@ -203,7 +203,7 @@ const StyleTables& with_drawing(const StyleTables& style, StyleTables& room)
     change_paper(room.paper, drawing.paper);
     for (int* const seed : {&room.hatch.seed, &room.tam.seed, &room.contour.seed, &room.ink.seed,
                             &room.smoke.seed, &room.focus_lines.seed, &room.motion_blur.seed,
-                            &room.particles.seed, &room.clouds.seed, &room.paper.seed}) {
+                            &room.particles.seed, &room.clouds.seed, &room.paper.seed, &room.pigment.seed}) {
         *seed = drawing.seed;
     }
     return room;

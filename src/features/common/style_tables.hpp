@@ -34,7 +34,7 @@
 #include "techniques/sky/clouds/clouds.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/smoke/smoke_style.hpp"
-#include "techniques/smudge/smudge.hpp"
+#include "techniques/pigment/pigment.hpp"
 #include "techniques/subsurface/subsurface.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
@@ -67,7 +67,7 @@ struct StyleTables {
     tam::TamStyle tam;
     contour::ContourStyle contour;
     bleed::BleedStyle bleed;
-    smudge::SmudgeStyle smudge;
+    pigment::PigmentStyle pigment;
     ink::InkStyle ink;
     smoke::SmokeStyle smoke;
     focus::FocusStyle focus_lines;

@@ -53,6 +53,7 @@ const bool develops = (variant & compose_develops) != 0u;
 const bool has_grain = (variant & compose_has_grain) != 0u;
 const bool is_transparent = (variant & compose_is_transparent) != 0u;
 const bool keeps_things = (variant & compose_keeps_things) != 0u;
+const bool is_shifted = (variant & compose_is_shifted) != 0u;
 const bool has_cover = (variant & compose_has_cover) != 0u;
 
 // Largest deviation of the window's edge from a straight line.
@@ -173,8 +174,13 @@ void main()
     float beyond_mm = has_margin ? from_window_mm(page_mm) + edge_stray_mm * paper.stray : -1.0;
     float within = clamp(0.5 - beyond_mm * frame.pixels_per_mm, 0.0, 1.0);
     vec4 wash = texelFetch(wash_image, pixel, 0);
-    vec3 paint = pow(max(wash.rgb, vec3(1e-3)),
-                     vec3(1.0 + constants.granulation * (0.3 * paper.pooled - 0.7 * relief)));
+    vec3 plate = wash.rgb;
+    if (is_shifted) {
+        ivec2 from = clamp(pixel - constants.paint_shift_px, ivec2(0), ivec2(frame.size_px) - 1);
+        plate = texelFetch(wash_image, from, 0).rgb;
+    }
+    vec3 paint =
+        pow(max(plate, vec3(1e-3)), vec3(1.0 + constants.granulation * (0.3 * paper.pooled - 0.7 * relief)));
     vec3 bare = constants.paper_color * (1.0 + 0.10 * constants.grain * relief);
     float things = things_at(pixel, wash.a) * within;
     vec4 page = painted(bare, mix(vec3(1.0), paint, within), things);
@@ -199,6 +205,9 @@ void main()
         vec3 tint = light_tint(texelFetch(light_image, pixel, 0).rgb);
         ink = mix(ink, lit_ink(ink, tint), constants.ink_tint);
     }
+    vec3 below = mix(vec3(1.0), paint, constants.overprint);
+    ink *= below;
+    line_color *= below;
     float border = 0.0;
     if (has_margin) {
         // The border line is drawn over the contour lines, in the ink of the strokes.

@@ -2,6 +2,7 @@
 #include "techniques/paper/paper.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "gpu/resources.hpp"
@@ -17,6 +18,19 @@ Window window_of(const PaperStyle& style, float width_mm)
     const glm::vec2 page_mm(width_mm, style.height_mm);
     const float margin_mm = std::min(style.margin_mm, std::min(page_mm.x, page_mm.y) / 3.0F);
     return {glm::vec2(margin_mm), page_mm - margin_mm};
+}
+
+glm::ivec2 paint_shift_px(const PaperStyle& style, float pixels_per_mm)
+{
+    const float angle = glm::radians(style.misprint_deg);
+    return glm::ivec2(
+        glm::round(style.misprint_mm * pixels_per_mm * glm::vec2(std::cos(angle), std::sin(angle))));
+}
+
+uint32_t reach_px(const PaperStyle& style, float pixels_per_mm)
+{
+    const glm::ivec2 shift_px = glm::abs(paint_shift_px(style, pixels_per_mm));
+    return static_cast<uint32_t>(std::max(shift_px.x, shift_px.y));
 }
 
 namespace {
@@ -50,7 +64,8 @@ uint32_t compose_variant(const ComposeInputs& in, const PaperStyle& style)
            (style.ink_grain > 0.0F ? shared::compose_has_grain : 0U) |
            (style.transparent != Transparency::none ? shared::compose_is_transparent : 0U) |
            (style.transparent == Transparency::background ? shared::compose_keeps_things : 0U) |
-           (in.cover ? shared::compose_has_cover : 0U);
+           (in.cover ? shared::compose_has_cover : 0U) |
+           (style.misprint_mm > 0.0F ? shared::compose_is_shifted : 0U);
 }
 
 Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style, const Wanted& wanted)
@@ -73,6 +88,7 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
     const gpu::ImageId staged = write("stage", gpu::Format::rgba32f, wanted.stage.has_value());
     const gpu::BufferId pixels =
         pass.write(wanted.pixels.value_or(graph.buffer("no pixels", {.size_bytes = sizeof(uint32_t)})));
+    const float pixels_per_mm = static_cast<float>(in.page_px.y) / style.height_mm;
     const Window window = window_of(style, style.height_mm * static_cast<float>(in.page_px.x) /
                                                static_cast<float>(in.page_px.y));
     pass.push(shared::PaperConstants{.paper_color = style.color,
@@ -87,6 +103,8 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
                                      .window_min_mm = window.min_mm,
                                      .window_max_mm = window.max_mm,
                                      .stage = static_cast<uint32_t>(wanted.stage.value_or(Stage::smoke)),
+                                     .overprint = style.overprint,
+                                     .paint_shift_px = paint_shift_px(style, pixels_per_mm),
                                      .settles = in.ink_settles})
         .dispatch((in.size_px.x + 31) / 32, (in.size_px.y + 7) / 8);
     return {picture, staged, pixels};
@@ -192,7 +210,17 @@ const style::Table<PaperStyle>& paper_table()
                     "chalk do. 0 is liquid ink, 1 is dry chalk.")
             .number("ink_tint", &PaperStyle::ink_tint, {0.0F, 1.0F}, "",
                     "How much coloured light changes the colour of the ink of hatching strokes. 0 keeps the "
-                    "colour of the ink, 1 changes it most.");
+                    "colour of the ink, 1 changes it most.")
+            .number("overprint", &PaperStyle::overprint, {0.0F, 1.0F}, "",
+                    "How much paint shows through the ink of strokes and lines, as in prints with "
+                    "transparent inks. 0 covers the paint, 1 mixes both colours.")
+            .number(
+                "misprint_mm", &PaperStyle::misprint_mm, {0.0F, 20.0F}, "mm",
+                "How far paint is printed beside the ink, as in a press whose plates are out of register. "
+                "0 prints paint at its place.")
+            .number("misprint_deg", &PaperStyle::misprint_deg, {-180.0F, 180.0F}, "deg",
+                    "Direction in which paint is printed beside the ink: 0 is to the right, 90 is down. Only "
+                    "used when paper.misprint_mm is above 0.");
     return table;
 }
 

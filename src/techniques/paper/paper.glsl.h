@@ -22,6 +22,7 @@ SHARED_CONSTANT uint compose_develops = 1U << 7U;
 SHARED_CONSTANT uint compose_is_transparent = 1U << 8U; // bare paper is transparent
 SHARED_CONSTANT uint compose_keeps_things = 1U << 9U;   // paper under objects stays opaque
 SHARED_CONSTANT uint compose_has_cover = 1U << 10U;     // the coverage by objects comes from its own image
+SHARED_CONSTANT uint compose_is_shifted = 1U << 11U;    // paint is printed beside its place
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U;    // the picture has several samples
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;        // set in the pass of the picture's last sample
 SHARED_CONSTANT uint develop_keeps_floats = 1U << 2U;
@@ -48,8 +49,10 @@ struct PaperConstants {
     float border_mm; // width of the border line around the window
     vec2 window_min_mm;
     vec2 window_max_mm;
-    uint stage;    // last layer to compose, for compose_is_staged
-    float settles; // degree to which flowing ink settles in the paper's hollows
+    uint stage;           // last layer to compose, for compose_is_staged
+    float overprint;      // degree to which paint shows through the ink of strokes and lines
+    ivec2 paint_shift_px; // how far paint is printed to the right of its place, and below
+    float settles;        // degree to which flowing ink settles in the paper's hollows
 };
 
 struct DevelopConstants {

@@ -29,6 +29,9 @@ struct PaperStyle {
     float ink_break = 0.25F;
     float ink_grain = 0.0F;
     float ink_tint = 0.0F;
+    float overprint = 0.0F;
+    float misprint_mm = 0.0F;
+    float misprint_deg = 30.0F;
     int seed = 1;
 };
 
@@ -39,6 +42,12 @@ struct PaperStyle {
 {
     return style.transparent == Transparency::none ? std::nullopt : std::optional(style.color);
 }
+
+/// How far the style prints paint beside its place, in whole pixels to the right and down.
+[[nodiscard]] glm::ivec2 paint_shift_px(const PaperStyle& style, float pixels_per_mm);
+
+/// Largest distance in pixels from which paint affects a pixel; 0 if the style prints paint at its place.
+[[nodiscard]] uint32_t reach_px(const PaperStyle& style, float pixels_per_mm);
 
 /// The rectangle of the page inside the margin.
 struct Window {

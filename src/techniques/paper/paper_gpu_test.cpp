@@ -298,6 +298,55 @@ TEST(Compose, ReliefDoesNotRepeat)
     EXPECT_LT(worst, 0.2);
 }
 
+TEST(Compose, OverprintedInkMixesWithThePaintBelow)
+{
+    Layers layers;
+    layers.wash = [](glm::uvec2) { return glm::vec4(0.9F, 0.3F, 0.2F, 1.0F); };
+    layers.hatch = [](glm::uvec2 pixel) { return pixel.x < 16 ? 1.0F : 0.0F; };
+    layers.lines = [](glm::uvec2 pixel) { return glm::vec4(0.09F, 0.16F, 0.64F, pixel.x < 8 ? 1.0F : 0.0F); };
+    PaperStyle style = smooth();
+    style.ink = {0.1F, 0.2F, 0.6F};
+    for (const float overprint : {0.0F, 0.5F, 1.0F}) {
+        style.overprint = overprint;
+        const glm::vec3 below = glm::mix(glm::vec3(1.0F), glm::vec3(0.9F, 0.3F, 0.2F), overprint);
+        const auto page = compose(layers, style, {32, 8});
+        expect_near(glm::vec3(page[12]), style.ink * below, 1e-3F);
+        expect_near(glm::vec3(page[4]), glm::vec3(0.09F, 0.16F, 0.64F) * below, 4e-3F);
+        expect_near(glm::vec3(page[24]), style.color * glm::vec3(0.9F, 0.3F, 0.2F), 1e-3F);
+    }
+}
+
+TEST(Compose, MisprintedPaintLiesBesideItsPlaceAndInkAtItsPlace)
+{
+    constexpr glm::uvec2 size_px(48, 32);
+    Layers layers;
+    const auto is_painted = [](glm::ivec2 pixel) {
+        return pixel.x >= 16 && pixel.x < 24 && pixel.y >= 8 && pixel.y < 16;
+    };
+    layers.wash = [&](glm::uvec2 pixel) {
+        return is_painted(pixel) ? glm::vec4(0.2F, 0.5F, 0.2F, 1.0F) : glm::vec4(1.0F);
+    };
+    layers.hatch = [](glm::uvec2 pixel) { return pixel.x == 40 ? 1.0F : 0.0F; };
+    PaperStyle style = smooth();
+    const auto plain = compose(layers, style, size_px);
+    style.height_mm = 32.0F / 3.0F;
+    style.misprint_mm = 1.0F; // three pixels
+    for (const auto& [degrees, shift] :
+         {std::pair{0.0F, glm::ivec2(3, 0)}, {90.0F, {0, 3}}, {180.0F, {-3, 0}}, {45.0F, {2, 2}}}) {
+        style.misprint_deg = degrees;
+        EXPECT_EQ(paint_shift_px(style, 3.0F), shift);
+        EXPECT_GE(reach_px(style, 3.0F), static_cast<uint32_t>(std::max(shift.x, shift.y)));
+        const auto page = compose(layers, style, size_px);
+        for (int y = 4; y < 28; ++y) {
+            for (int x = 4; x < 44; ++x) {
+                const bool has_paint = is_painted(glm::ivec2(x, y) - shift);
+                const size_t like = x == 40 ? 40 : has_paint ? 10 * 48 + 20 : 0;
+                EXPECT_EQ(page[static_cast<size_t>(y * 48 + x)], plain[like]) << x << ", " << y;
+            }
+        }
+    }
+}
+
 TEST(Compose, TwiceTheSizeIsTheSameSheet)
 {
     PaperStyle style = smooth();

@@ -107,6 +107,14 @@ Darkness darkness_around(ivec2 pixel)
     return Darkness(here, length(rise));
 }
 
+// Paint for a colour that is printed in one ink. The share of the ink is even to the eye: it follows the
+// square root of the colour's brightness.
+vec3 printed(vec3 color)
+{
+    vec3 spot = mix(constants.spot_color, vec3(1.0), sqrt(clamp(luminance(color), 0.0, 1.0)));
+    return mix(color, spot, constants.spot);
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -120,7 +128,8 @@ void main()
     }
     vec3 through = vec3(1.0);
     if (has_background) {
-        through = texelFetch(background_image, min(pixel, textureSize(background_image, 0) - 1), 0).rgb;
+        through =
+            printed(texelFetch(background_image, min(pixel, textureSize(background_image, 0) - 1), 0).rgb);
     }
     if (sees_draw(word)) {
         uint material = draw_at(draw_of(word)).material;
@@ -161,12 +170,13 @@ void main()
             color = mix(color, constants.air_color,
                         constants.air * (1.0 - exp2(-away / constants.air_distance_m)));
         }
-        through = mix(vec3(1.0), clamp(color, 0.0, 1.0), constants.strength);
+        through = mix(vec3(1.0), printed(clamp(color, 0.0, 1.0)), constants.strength);
     }
     float cover = sees_draw(word) && !(keeps_cover && is_paper(word)) ? 1.0 : 0.0;
     if (has_screen) {
         vec4 screen = texelFetch(screen_image, pixel, 0);
-        through = mix(through, mix(vec3(1.0), screen.rgb * screen.rgb, constants.strength), screen.a);
+        through =
+            mix(through, mix(vec3(1.0), printed(screen.rgb * screen.rgb), constants.strength), screen.a);
         cover = keeps_cover ? mix(cover, 1.0, screen.a) : cover;
     }
     imageStore(out_wash, pixel, vec4(through, cover));

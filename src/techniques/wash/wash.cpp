@@ -43,6 +43,8 @@ gpu::ImageId add_variant(gpu::Graph& graph, const WashInputs& in, const WashVari
                                     .air = style.air,
                                     .air_color = style.air_color,
                                     .air_distance_m = style.air_distance_m,
+                                    .spot_color = style.spot_color,
+                                    .spot = style.spot,
                                     .style_variant = number})
         .dispatch_over_page(in.size_px.x, in.size_px.y);
     return wash;
@@ -93,6 +95,11 @@ const style::Table<WashStyle>& wash_table()
             .number("light_tint", &WashStyle::light_tint, {0.0F, 1.0F}, "",
                     "How much the colour of light changes the painted colours. 0 treats all light as white, "
                     "1 takes on the full colour of the light.")
+            .number("spot", &WashStyle::spot, {0.0F, 1.0F}, "",
+                    "How far all colours are printed in one ink, wash.spot_color: more ink where a colour is "
+                    "darker. 0 keeps the colours, 1 prints the ink alone.")
+            .color("spot_color", &WashStyle::spot_color,
+                   "Colour of the ink in which colours are printed. Only used when wash.spot is above 0.")
             .file_or_name(
                 "shade_texture", &WashStyle::shade_texture, {shade_of_material, no_shade},
                 "Picture of the colours that surfaces have in the shade, in place of wash.shadow_tint. "

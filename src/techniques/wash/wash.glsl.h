@@ -33,6 +33,8 @@ struct WashConstants {
     float air;           // share of air_color in colours at infinite distance
     vec3 air_color;
     float air_distance_m;
+    vec3 spot_color;    // colour of a single printing ink
+    float spot;         // share of spot_color in the painted colours, 0 to 1
     uint style_variant; // number of the style variant to paint
 };
 

@@ -31,6 +31,8 @@ struct WashStyle {
     float softness = 0.03F;
     float ground_shadow = 0.6F;
     float light_tint = 0.0F;
+    float spot = 0.0F;
+    glm::vec3 spot_color = style::srgb(0xe05a4f);
     /// `shade_of_material`, `no_shade`, or the path of a picture.
     std::string shade_texture = shade_of_material;
     ShadeStep shade_step = ShadeStep::material;

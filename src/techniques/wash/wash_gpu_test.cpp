@@ -107,6 +107,24 @@ void expect_everywhere(const std::vector<glm::vec4>& wash, const glm::vec3& expe
         << "flat";
 }
 
+TEST(Wash, OfASpotColourIsMoreOfOneInkWhereAColourIsDarker)
+{
+    WashStyle style = strong();
+    style.spot_color = {0.8F, 0.2F, 0.1F};
+    Page page;
+    page.background = [](glm::uvec2) { return glm::vec4(0.25F, 0.25F, 0.25F, 1.0F); };
+    const float brightness = std::sqrt(0.2126F * red.x + 0.7152F * red.y + 0.0722F * red.z);
+    for (const float spot : {0.0F, 0.5F, 1.0F}) {
+        style.spot = spot;
+        page.draw = [](glm::uvec2) { return 1U; };
+        const glm::vec3 ink = glm::mix(style.spot_color, glm::vec3(1.0F), brightness);
+        expect_everywhere(paint(page, style), glm::mix(red, ink, spot));
+        page.draw = [](glm::uvec2) { return 0U; }; // the sky is printed too
+        const glm::vec3 grey_ink = glm::mix(style.spot_color, glm::vec3(1.0F), 0.5F);
+        expect_everywhere(paint(page, style), glm::mix(glm::vec3(0.25F), grey_ink, spot));
+    }
+}
+
 TEST(Wash, IsTheMaterialsColourInLightAndTintedInShadow)
 {
     Page page;

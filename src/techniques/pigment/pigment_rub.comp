@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/smudge/smudge.glsl.h"
+#include "techniques/pigment/pigment.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 32) in;
 
@@ -17,27 +17,12 @@ layout(binding = 4, rgba16f) writeonly uniform image2D out_wash;
 layout(binding = 5, r16f) writeonly uniform image2D out_hatch;
 layout(binding = 6, rgba8) writeonly uniform image2D out_lines;
 
+#include "techniques/pigment/cells.glsl"
+
 layout(push_constant, scalar) uniform Constants
 {
-    SmudgeConstants constants;
+    PigmentDryConstants constants;
 };
-
-// Ink that was spread to a pixel, interpolated between the middles of cells.
-float spread_at(ivec2 pixel)
-{
-    vec2 page_px = vec2(uvec2(pixel) + constants.from_px) + 0.5;
-    vec2 place = page_px / float(constants.cell_px) - vec2(constants.from_px / constants.cell_px) - 0.5;
-    ivec2 cell = ivec2(floor(place));
-    vec2 share = place - vec2(cell);
-    ivec2 last = textureSize(cell_image, 0) - 1;
-    ivec2 low = clamp(cell, ivec2(0), last);
-    ivec2 high = clamp(cell + 1, ivec2(0), last);
-    float above =
-        mix(texelFetch(cell_image, low, 0).x, texelFetch(cell_image, ivec2(high.x, low.y), 0).x, share.x);
-    float below =
-        mix(texelFetch(cell_image, ivec2(low.x, high.y), 0).x, texelFetch(cell_image, high, 0).x, share.x);
-    return mix(above, below, share.y);
-}
 
 void main()
 {
@@ -59,9 +44,12 @@ void main()
     hatch /= weights;
     lines /= weights;
     vec4 wash = texelFetch(wash_image, pixel, 0);
-    float rubbed = constants.strength > 0.0 ? constants.strength * spread_at(pixel) : 0.0;
+    vec2 page_px = vec2(uvec2(pixel) + constants.from_px) + 0.5;
+    float rubbed = constants.rub > 0.0
+                       ? constants.rub * spread_at(page_px, constants.from_px, constants.cell_px).x
+                       : 0.0;
     // The rest of the ink lies over the rubbed ink. Both together cover as much as the mean of both.
-    float rest = (1.0 - constants.strength) * hatch / max(1.0 - rubbed, 1e-4);
+    float rest = (1.0 - constants.rub) * hatch / max(1.0 - rubbed, 1e-4);
     imageStore(out_wash, pixel, vec4(wash.rgb * mix(vec3(1.0), constants.ink, rubbed), wash.a));
     imageStore(out_hatch, pixel, vec4(min(rest, 1.0)));
     imageStore(out_lines, pixel, vec4(lines.rgb / max(lines.a, 1e-6), lines.a));

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: the mean ink of the strokes in a square of the page.
+// One thread per cell: the mean ink of the strokes, or the mean density of the paint, in a square of the
+// page.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/smudge/smudge.glsl.h"
+#include "techniques/pigment/density.glsl"
+#include "techniques/pigment/pigment.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler2D hatch_image;
-layout(binding = 1, r16f) writeonly uniform image2D out_cells;
+layout(binding = 0) uniform sampler2D layer_image;
+layout(binding = 1, rgba16f) writeonly uniform image2D out_cells;
 
 layout(push_constant, scalar) uniform Constants
 {
-    SmudgeGatherConstants constants;
+    PigmentGatherConstants constants;
 };
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool gathers_paint = (variant & pigment_gathers_paint) != 0u;
 
 void main()
 {
@@ -27,11 +32,12 @@ void main()
         ivec2((cell + constants.from_px / constants.cell_px) * constants.cell_px) - ivec2(constants.from_px);
     ivec2 low = max(corner, ivec2(0));
     ivec2 high = min(corner + int(constants.cell_px), ivec2(constants.size_px));
-    float sum = 0.0;
+    vec4 sum = vec4(0.0);
     for (int y = low.y; y < high.y; ++y) {
         for (int x = low.x; x < high.x; ++x) {
-            sum += texelFetch(hatch_image, ivec2(x, y), 0).x;
+            vec4 texel = texelFetch(layer_image, ivec2(x, y), 0);
+            sum += gathers_paint ? vec4(density_of(texel.rgb), 0.0) : texel;
         }
     }
-    imageStore(out_cells, ivec2(cell), vec4(sum / float((high.x - low.x) * (high.y - low.y))));
+    imageStore(out_cells, ivec2(cell), sum / float((high.x - low.x) * (high.y - low.y)));
 }

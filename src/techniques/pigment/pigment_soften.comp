@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/smudge/smudge.glsl.h"
+#include "techniques/pigment/pigment.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 32) in;
 
@@ -16,7 +16,7 @@ layout(binding = 3, rgba16f) writeonly uniform image2D out_lines;
 
 layout(push_constant, scalar) uniform Constants
 {
-    SmudgeConstants constants;
+    PigmentDryConstants constants;
 };
 
 void main()

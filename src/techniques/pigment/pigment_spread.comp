@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell: spreads the ink of cells along one axis of the page.
+// One thread per cell: spreads the values of cells along one axis of the page.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/smudge/smudge.glsl.h"
+#include "techniques/pigment/pigment.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D cell_image;
-layout(binding = 1, r16f) writeonly uniform image2D out_cells;
+layout(binding = 1, rgba16f) writeonly uniform image2D out_cells;
 
 layout(push_constant, scalar) uniform Constants
 {
-    SmudgeSpreadConstants constants;
+    PigmentSpreadConstants constants;
 };
 
-float ink_at(ivec2 cell)
+vec4 value_at(ivec2 cell)
 {
-    return texelFetch(cell_image, clamp(cell, ivec2(0), ivec2(constants.cell_count) - 1), 0).x;
+    return texelFetch(cell_image, clamp(cell, ivec2(0), ivec2(constants.cell_count) - 1), 0);
 }
 
 void main()
@@ -27,13 +27,13 @@ void main()
     if (any(greaterThanEqual(uvec2(cell), constants.cell_count))) {
         return;
     }
-    float sum = ink_at(cell);
+    vec4 sum = value_at(cell);
     float weights = 1.0;
     for (int i = 1; i <= int(constants.radius); ++i) {
         float weight = exp(-constants.falloff * float(i * i));
         ivec2 away = i * ivec2(constants.axis);
-        sum += weight * (ink_at(cell - away) + ink_at(cell + away));
+        sum += weight * (value_at(cell - away) + value_at(cell + away));
         weights += 2.0 * weight;
     }
-    imageStore(out_cells, cell, vec4(sum / weights));
+    imageStore(out_cells, cell, sum / weights);
 }
