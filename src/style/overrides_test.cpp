@@ -121,6 +121,10 @@ TEST(StyleOverrides, MistakesSayWhereAndWhat)
     EXPECT_EQ(test::message_of([&] { schema().set(sample, "material.a.line.wobble=0.5"); }),
               "--set: \"line.wobble\" cannot differ by material; name an object: put it below a line "
               "[object.\"NAME\".line]");
+    EXPECT_EQ(
+        sample.error_of("[material.\"kind:wod\".hatch]\nwidth_mm = 1\n"),
+        "a.toml:2:1: unknown kind of material \"wod\"; kinds are stone, wood, cloth, metal, skin, sand, "
+        "water, leaves");
     EXPECT_TRUE(sample.overrides.empty());
     schema().set(sample, "object.a.line.wobble=0.5");
     EXPECT_EQ(sample.overrides.size(), 1U);

@@ -15,6 +15,7 @@
 
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "style/material_kind.hpp"
 #include "style/names.hpp"
 #include "style/toml.hpp"
 
@@ -183,7 +184,19 @@ public:
                 entry.key_where,
                 fmt::format("name an object: put it below a line [object.\"NAME\".{}]", section->name));
         }
+        require_kind(entry);
         overrides_.push_back({entry.surfaces, section->name, parameter->key, std::move(value)});
+    }
+
+    /// Throws Error if the entry is for a kind of material that is not known.
+    static void require_kind(const Entry& entry)
+    {
+        const auto kind =
+            entry.surfaces.by == Surfaces::By::material ? named_kind(entry.surfaces.pattern) : std::nullopt;
+        if (kind && std::ranges::find(material_kinds, *kind) == material_kinds.end()) {
+            throw Error(fmt::format("unknown kind of material {}", in_quotes(std::string(*kind))),
+                        entry.key_where, fmt::format("kinds are {}", fmt::join(material_kinds, ", ")));
+        }
     }
 
     void require_section(const Document::Header& header) const

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "style/material_kind.hpp"
 #include "style/parameter.hpp"
 #include "style/toml.hpp"
 #include "techniques/subsurface/subsurface.hpp"
@@ -60,6 +61,14 @@ const style::Schema<StyleTables>& style_schema()
     return schema;
 }
 
+style::MaterialFacts facts_of(const Material& material)
+{
+    return {.name = material.name,
+            .metallic = material.metallic,
+            .roughness = material.roughness,
+            .is_foliage = material.is_foliage};
+}
+
 namespace {
 
 wind::WindStyle wind_over(const Terrain* terrain, const wind::WindStyle& style)
@@ -107,12 +116,14 @@ using By = style::Surfaces::By;
 /// For each override of a style: whether the override applies.
 using Matches = std::vector<bool>;
 
-Matches matches_of(const std::vector<style::Override>& overrides, By by, const std::string& name)
+/// Returns which overrides by `by` have a pattern that `is_meant` accepts.
+template <class IsMeant>
+Matches matches_of(const std::vector<style::Override>& overrides, By by, const IsMeant& is_meant)
 {
     Matches matches(overrides.size(), false);
     for (size_t i = 0; i < overrides.size(); ++i) {
         const style::Surfaces& surfaces = overrides[i].surfaces;
-        matches[i] = surfaces.by == by && style::matches(surfaces.pattern, name);
+        matches[i] = surfaces.by == by && is_meant(surfaces.pattern);
     }
     return matches;
 }
@@ -130,7 +141,9 @@ std::vector<Matches> matches_of_nodes(const Scene& scene, const std::vector<styl
     std::vector<Matches> own;
     own.reserve(scene.nodes.size());
     for (const Node& node : scene.nodes) {
-        own.push_back(matches_of(overrides, By::object, node.name));
+        own.push_back(matches_of(overrides, By::object, [&](const std::string& pattern) {
+            return style::matches(pattern, node.name);
+        }));
     }
     std::vector<Matches> all = own;
     for (Index node = 0; node < scene.nodes.size(); ++node) {
@@ -229,7 +242,9 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
     const std::vector<Matches> of_nodes = matches_of_nodes(scene, style.overrides);
     std::vector<Matches> of_materials;
     for (const Material& material : scene.materials) {
-        of_materials.push_back(matches_of(style.overrides, By::material, material.name));
+        of_materials.push_back(matches_of(style.overrides, By::material, [&](const std::string& pattern) {
+            return style::means(pattern, facts_of(material));
+        }));
     }
     std::map<Matches, uint32_t> variants{{Matches(style.overrides.size(), false), 0U}};
     // Index of the style variant for a transparent material. The key is the variant without transparency, and
@@ -305,7 +320,9 @@ std::string missing(const Scene& scene, const style::Override& change)
     const std::string& pattern = change.surfaces.pattern;
     const auto is_meant = [&](const auto& named) { return style::matches(pattern, named.name); };
     if (change.surfaces.by == By::material) {
-        return std::ranges::any_of(scene.materials, is_meant) ? "" : "materials";
+        // A style that draws eight kinds of material is meant for scenes that have some of them.
+        const bool is_of_kind = style::named_kind(pattern).has_value();
+        return is_of_kind || std::ranges::any_of(scene.materials, is_meant) ? "" : "materials";
     }
     const bool is_of_lights = change.section == "light";
     const auto found = style_schema().find(change.section + "." + change.key);

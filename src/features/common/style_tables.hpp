@@ -11,6 +11,7 @@
 #include <estampe/terrain.hpp>
 
 #include "features/common/drawing.hpp"
+#include "style/material_kind.hpp"
 #include "style/schema.hpp"
 #include "style/wind.hpp"
 #include "techniques/bleed/bleed.hpp"
@@ -29,12 +30,12 @@
 #include "techniques/occlusion/occlusion.hpp"
 #include "techniques/paper/paper.hpp"
 #include "techniques/particles/particle_style.hpp"
+#include "techniques/pigment/pigment.hpp"
 #include "techniques/pose/mesh_data.hpp"
 #include "techniques/shadow/shadow_style.hpp"
 #include "techniques/sky/clouds/clouds.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/smoke/smoke_style.hpp"
-#include "techniques/pigment/pigment.hpp"
 #include "techniques/subsurface/subsurface.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
@@ -127,8 +128,12 @@ struct StyleVariants {
 /// applies to the node's descendants. Cost: linear in nodes times overrides.
 [[nodiscard]] StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style);
 
-/// Returns one message for each pattern of the style's overrides that matches nothing in the scene. If an
-/// override changes lights, its pattern must match a light.
+/// What a scene's file says of a material, for overrides by the kind of material.
+[[nodiscard]] style::MaterialFacts facts_of(const Material& material);
+
+/// Returns one message for each pattern of the style's overrides that matches nothing in the scene. Kinds of
+/// material, as in `kind:wood`, need no material. If an override changes lights, its pattern must match a
+/// light.
 [[nodiscard]] std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style);
 
 /// Returns whether a pattern matches the name of a node, or the name of one of the node's ancestors.

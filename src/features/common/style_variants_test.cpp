@@ -63,6 +63,22 @@ TEST_F(StyleVariantsTest, PatternsNameMaterialsAndObjectsWithWhatHangsOnThem)
     EXPECT_TRUE(idle_overrides(scene_, style_).empty());
 }
 
+TEST_F(StyleVariantsTest, KindsMeanMaterialsByTheirNamesAndNeedNone)
+{
+    set("material.kind:stone.hatch.width_mm=1");
+    set("material.kind:water.hatch.width_mm=2");
+    scene_.materials[1] = {.name = "frame::Tile", .metallic = 1.0F, .roughness = 0.2F};
+    set("material.kind:metal.hatch.layers=1");
+    const StyleVariants variants = plan();
+    ASSERT_EQ(variants.styles.size(), 3U);
+    const auto style_of = [&](size_t draw) { return variants.styles.at(variants.variant_of_draw[draw]); };
+    EXPECT_EQ(style_of(0).hatch.width_mm, 1.0F) << "Brick";
+    EXPECT_EQ(style_of(2).hatch.width_mm, 1.0F) << "Brick_old";
+    EXPECT_EQ(style_of(1).hatch.width_mm, style_.hatch.width_mm);
+    EXPECT_EQ(style_of(1).hatch.layers, 1) << "metal by the file";
+    EXPECT_TRUE(idle_overrides(scene_, style_).empty()) << "no water is no mistake";
+}
+
 TEST_F(StyleVariantsTest, TheSameOverridesAreOneVariant)
 {
     set("material.*.hatch.width_mm=1");

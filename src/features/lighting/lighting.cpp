@@ -203,7 +203,7 @@ LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene, 
     for (Index i = 0; i < lighting.material_links.size(); ++i) {
         apply(lighting.material_links[i], changes_for(style, [&](const style::Surfaces& surfaces) {
                   return surfaces.by == style::Surfaces::By::material &&
-                         style::matches(surfaces.pattern, scene.materials[i].name);
+                         style::means(surfaces.pattern, facts_of(scene.materials[i]));
               }));
     }
     return lighting;

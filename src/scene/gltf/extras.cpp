@@ -393,6 +393,11 @@ void hold(Primitive& primitive, const Scene& scene, Index texture)
     }
 }
 
+bool speaks_of_cloth(Data& data, const tinygltf::Value& extras, const std::string& pointer)
+{
+    return has_extras(extras) && Reader(data, extras, pointer).has("cloth");
+}
+
 } // namespace
 
 void import_cloth(Data& data, const std::map<Index, Index>& held_textures, Scene& scene)
@@ -430,6 +435,19 @@ void import_cloth(Data& data, const std::map<Index, Index>& held_textures, Scene
                                      : held_texture(data, sources.materials[primitive.material].extras,
                                                     fmt::format("/materials/{}", primitive.material));
             hold(primitive, scene, texture ? held_textures.at(*texture) : no_index);
+            const bool is_asked_for =
+                speaks_of_cloth(data, sources.nodes[i].extras, pointer) ||
+                (has_material && speaks_of_cloth(data, sources.materials[primitive.material].extras,
+                                                 fmt::format("/materials/{}", primitive.material)));
+            if (!is_asked_for &&
+                std::ranges::none_of(primitive.held, [](float held) { return held > 0.0F; })) {
+                data.warn(
+                    pointer,
+                    fmt::format("{} is simulated as cloth because of the name \"cloth\", and falls down, "
+                                "because nothing holds it; to draw it as it is, set \"cloth\": false in "
+                                "its extras, or rename it",
+                                owner_at(data, pointer)));
+            }
         }
     }
 }

@@ -83,6 +83,8 @@ TEST(GltfExtras, SayWhatIsClothAndWhatItRunsInto)
     file.document["materials"] = json::parse(R"([{"name": "CLOTH.001"}])");
     file.document["meshes"][0]["primitives"][0]["material"] = 0;
     EXPECT_TRUE(file.load().materials[0].cloth);
+    file.document["materials"][0].erase("name");
+    file.document["nodes"][0].erase("name");
     file.document["nodes"][2]["extras"]["estampe"]["cloth"]["weight"] = 1;
     EXPECT_EQ(warning(file).find("test.glb#/nodes/2/extras/estampe/cloth/weight: is not known"), 0U);
     EXPECT_EQ(file.load().nodes[2].cloth, scene.nodes[2].cloth) << "the other keys count";
@@ -119,6 +121,26 @@ TEST(GltfExtras, TexturesAndColoursSayHowMuchClothIsHeld)
     EXPECT_EQ(warning(file).find("test.glb#/nodes/0/extras/estampe/cloth/held: should be the number"), 0U);
     file.document["nodes"][0]["extras"] = json::parse(R"({"estampe": {"cloth": {"back": 7}}})");
     EXPECT_EQ(warning(file).find("test.glb#/nodes/0/extras/estampe/cloth/back: should be the number"), 0U);
+}
+
+TEST(GltfExtras, ClothByItsNameAloneThatNothingHoldsIsAWarning)
+{
+    TestFile file = triangle_file();
+    file.document["materials"] = json::parse(R"([{"name": "Cloth.red"}])");
+    file.primitive()["material"] = 0;
+    const char* const start =
+        "test.glb#/nodes/0: node 0 is simulated as cloth because of the name \"cloth\", "
+        "and falls down, because nothing holds it";
+    EXPECT_EQ(warning(file).find(start), 0U) << warning(file);
+    file.document["materials"][0]["extras"] = json::parse(R"({"estampe": {"cloth": true}})");
+    EXPECT_TRUE(file.load().warnings.empty());
+    file.document["materials"][0]["extras"] = json::parse(R"({"estampe": {"cloth": false}})");
+    EXPECT_TRUE(file.load().warnings.empty());
+    EXPECT_FALSE(file.load().materials[0].cloth);
+    file.document["materials"][0].erase("extras");
+    file.document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
+        file.add(std::vector<float>{1.0F, 0.2F, 0.0F, 0.25F, 1.0F, 0.0F, 0.0F, 1.0F, 1.0F}, "VEC3");
+    EXPECT_TRUE(file.load().warnings.empty()) << "the flag hangs by a corner";
 }
 
 TEST(GltfExtras, MistakesAreWarningsThatNameThePlace)

@@ -289,7 +289,7 @@ const style::Table<HatchStyle>& hatch_table()
                      {"page", Coordinates::page},
                      {"slope", Coordinates::slope}},
                     "What hatching strokes follow. uv: texture coordinates; solid: parallel slices; form: "
-                    "curvature; height: contour levels; wind, light, page: the wind, light or page; slope: "
+                    "curvature; height: contour levels; wind, light, page: as named; slope: "
                     "ground slopes; auto: slope on terrain, form on round bodies, else uv or solid.")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
                     "Angle by which hatching strokes are turned that follow texture coordinates (uv) or the "
