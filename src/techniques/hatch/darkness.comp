@@ -83,6 +83,14 @@ float layers_at(ivec2 pixel, uint draw, float dark)
     return mix(1.0, of_shade, shade) * mix(1.0, constants.ground_shade, level);
 }
 
+// Darkness of `count` layers of hatching, each of the darkness `dark`. More layers are laid as on a white
+// material, with the darkness `white`: on a dark material, its texture would be lost in black.
+float in_layers(float dark, float white, float count)
+{
+    float layered = 1.0 - pow(1.0 - min(count > 1.0 ? white : dark, 0.9999), count);
+    return count > 1.0 ? max(dark, layered) : layered;
+}
+
 float darkness_at(ivec2 pixel)
 {
     uint word = texelFetch(draw_image, pixel, 0).x;
@@ -90,7 +98,7 @@ float darkness_at(ivec2 pixel)
     float light = occluded(constants.tone, texelFetch(light_image, pixel, 0).a, color.a);
     float dark = darkness(constants.tone, light, luminance(color.rgb * color.rgb));
     if (has_causes && sees_draw(word)) {
-        dark = 1.0 - pow(1.0 - min(dark, 0.9999), layers_at(pixel, draw_of(word), dark));
+        dark = in_layers(dark, darkness(constants.tone, light, 1.0), layers_at(pixel, draw_of(word), dark));
     }
     if (has_fade) {
         float depth = max(texelFetch(depth_image, pixel, 0).x, 1e-9);

@@ -18,17 +18,18 @@ namespace {
 constexpr glm::uvec2 darkness_px(32, 16);
 constexpr float dark_open = 102.0F / 255.0F; // visibility under occlusion on the left half
 
-/// Darkness of a white wall in a light of `lit`; its left half is occluded. With `style`, the wall's columns
-/// turn away from the sun, are in shadow, in half shadow and lit, and so on; its lower half is level.
+/// Darkness of a wall of a grey in a light of `lit`; its left half is occluded. With `style`, the wall's
+/// columns turn away from the sun, are in shadow, in half shadow and lit, and so on; its lower half is level.
 std::vector<float> darkness_of(const shared::ToneConstants& tone, const HatchStyle& style = {},
-                               bool has_sun = false, uint32_t ground_draw = UINT32_MAX, float lit = 0.8F)
+                               bool has_sun = false, uint32_t ground_draw = UINT32_MAX, float lit = 0.8F,
+                               float grey = 1.0F)
 {
     const auto globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = darkness_px});
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
     auto draw = test::Layer::words(darkness_px, [](glm::uvec2) { return 1U; });
     auto depth = test::Layer::depth(darkness_px, [](glm::uvec2) { return 0.01F; });
-    auto color = test::Layer::root_color(darkness_px, [](glm::uvec2 pixel) {
-        return glm::vec4(1.0F, 1.0F, 1.0F, pixel.x < darkness_px.x / 2 ? dark_open : 1.0F);
+    auto color = test::Layer::root_color(darkness_px, [&](glm::uvec2 pixel) {
+        return glm::vec4(glm::vec3(grey), pixel.x < darkness_px.x / 2 ? dark_open : 1.0F);
     });
     auto light = test::Layer::color(darkness_px, [&](glm::uvec2) { return glm::vec4(lit); });
     auto screen = test::Layer::root_color(glm::uvec2(1), [](glm::uvec2) { return glm::vec4(0.0F); });
@@ -93,6 +94,26 @@ TEST(Darkness, HasMoreOrFewerLayersByTheCauseOfShade)
     const std::vector<float> lamplit = darkness_of(tone, {.form_shade = 9.0F, .ground_shade = 1.0F}, true);
     expect_halves(lamplit, 0.2F, 0.2F); // where lamps shine, there is no shade, wherever the sun is
     expect_halves(darkness_of(tone, {.form_shade = 1.0F, .ground_shade = 1.0F}, true), 0.2F, 0.2F);
+}
+
+TEST(Darkness, LayersOfShadeDoNotBlackenADarkMaterial)
+{
+    const shared::ToneConstants tone{
+        .exposure = 1.0F, .gamma = 1.0F, .contrast = 1.0F, .ceiling = 1.0F, .local_value = 1.0F};
+    const HatchStyle style{.form_shade = 2.0F, .cast_shade = 2.0F, .ground_shade = 1.0F};
+    const float on_white = 1.0F - 0.4F * 0.4F; // two layers of the darkness 0.6
+    for (const uint32_t root : {255U, 153U, 51U}) {
+        const float grey = static_cast<float>(root * root) / (255.0F * 255.0F);
+        const auto wall = darkness_of(tone, style, true, UINT32_MAX, 0.4F, grey);
+        for (uint32_t i = 0; i < wall.size(); ++i) {
+            const float own = 1.0F - 0.4F * grey;
+            if (i % 4 < 2) { // in shade
+                EXPECT_NEAR(wall[i], std::max(own, on_white), 2e-3F) << grey << ", " << i;
+            } else if (i % 4 == 3) {
+                EXPECT_NEAR(wall[i], own, 2e-3F) << grey << ", " << i;
+            }
+        }
+    }
 }
 
 } // namespace

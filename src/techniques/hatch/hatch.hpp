@@ -88,9 +88,9 @@ struct HatchStyle {
     /// Distance in metres over which hatching fades, from the style's `haze.hatching_distance_m`.
     float fade_distance_m = 60.0F;
     float black_above = 0.96F;
-    float form_shade = 1.15F;
-    float cast_shade = 1.0F;
-    float ground_shade = 0.85F;
+    float form_shade = 1.6F;
+    float cast_shade = 1.8F;
+    float ground_shade = 0.6F;
     std::string map;
     MapTone map_tone = MapTone::order;
     float map_contrast = 12.0F;
