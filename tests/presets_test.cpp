@@ -55,6 +55,25 @@ TEST(Presets, ReadBackEqual)
     }
 }
 
+TEST(Presets, WithoutPaintDrawSmokeInInkAlone)
+{
+    int count = 0;
+    for (const std::string& name : Style::presets()) {
+        const Style style = Style::load(name);
+        const features::StyleTables& tables = style.tables();
+        if (tables.wash.strength > 0.0F) {
+            continue;
+        }
+        ++count;
+        const smoke::SmokeStyle& smoke = tables.smoke;
+        for (const glm::vec3& color :
+             {smoke.color, smoke.shade_color, smoke.deep_color, smoke.glow_color, smoke.flame_color}) {
+            EXPECT_EQ(color, glm::vec3(1.0F)) << name << ": paint that leaves the paper bare";
+        }
+    }
+    EXPECT_GE(count, 10);
+}
+
 TEST(Additions, AreNoPresetsAndAreInTheirPageOfTheDocs)
 {
     std::ifstream file(test::source_folder() / "docs" / "reference" / "presets.md");

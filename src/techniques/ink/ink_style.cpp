@@ -126,7 +126,8 @@ const style::Table<InkStyle>& ink_table()
             .number("budget", &InkStyle::budget, {0.001F, 1.0F}, "",
                     "Largest share of the page that flowing ink covers: less keeps the page emptier. Less "
                     "and less ink flows out of the drawing as this share comes near.")
-            .toggle("spills", &InkStyle::spills, "If true, flowing ink may run over the margin of the page")
+            .toggle("spills", &InkStyle::spills,
+                    "If true, flowing ink runs over the margin of the page; if false, it stays in the frame")
             .number("age_s", &InkStyle::age_s, {0.0F, 60.0F}, "s",
                     "How long ink has already flowed before the picture or the first frame of a film. More "
                     "gives longer threads of ink.")

@@ -62,7 +62,7 @@ struct InkStyle {
     float edge = 0.05F;
     float granulation = 0.4F;
     float budget = 0.15F;
-    bool spills = true;
+    bool spills = false;
     float age_s = 4.0F;
     float steps_per_s = 24.0F;
     float cell_mm = 0.2F;

@@ -225,7 +225,8 @@ void main()
     float flow_cover = 0.0;
     if (has_ink) {
         vec4 flow = texelFetch(ink_image, pixel, 0);
-        flow_cover = clamp(flow.a * (1.0 - constants.settles * relief), 0.0, 1.0);
+        // Thin ink shows the grain; solid ink has filled the hollows.
+        flow_cover = clamp(flow.a * (1.0 - constants.settles * relief * (1.0 - flow.a * flow.a)), 0.0, 1.0);
         flow_cover = is_staged && constants.stage < stage_ink ? 0.0 : flow_cover;
         page = mix(page, vec4(flow.rgb * flow.rgb, 1.0), flow_cover);
     }
