@@ -279,9 +279,9 @@ std::string AnySchema::json_schema() const
         };
         schema["properties"]["material"] = patterns("#/$defs/material");
         schema["properties"]["material"]["description"] =
-            "Sections for materials whose names match a pattern, such as brick*, or whose kind is named, "
-            "such as "
-            "kind:wood";
+            "Sections for materials whose names match a pattern, such as brick*, or that are of a named "
+            "kind, "
+            "such as kind:wood";
         schema["properties"]["object"] = patterns("#/$defs/object");
         schema["properties"]["object"]["description"] =
             "Sections for objects whose names match a pattern, such as tower*";

@@ -114,12 +114,10 @@ std::optional<std::string_view> named_kind(std::string_view pattern)
     return pattern.substr(kind_prefix.size());
 }
 
-bool means(const std::string& pattern, const MaterialFacts& material)
+bool means(const std::string& pattern, const std::string& name, std::optional<std::string_view> kind)
 {
-    if (const auto kind = named_kind(pattern)) {
-        return kind_of(material) == kind;
-    }
-    return matches(pattern, std::string(material.name));
+    const auto wanted = named_kind(pattern);
+    return wanted ? kind == wanted : matches(pattern, name);
 }
 
 } // namespace estampe::style

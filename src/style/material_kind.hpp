@@ -22,16 +22,17 @@ struct MaterialFacts {
     bool is_foliage = false;
 };
 
-/// Returns the kind of a material, or nothing if its kind is not known. The words of the name decide first,
-/// in English, French or German, and the last word that names a kind wins: a "stone floor with sand" is sand,
-/// and a "wooden chair" is wood. Words begin at capital letters and after anything that is no letter. Where
-/// the name says nothing, foliage is leaves, and a smooth metallic material is metal. Cost: linear in the
-/// name.
+/// Returns the kind of a material, or nothing if its kind is not known. Words of the name that name a kind in
+/// English, French or German decide first; of several such words, the last one decides. For example, "stone
+/// floor with sand" is sand. In a name, a word begins at a capital letter, and at a letter after any other
+/// character. If no word names a kind, foliage is of the kind leaves, and a smooth metallic material is of
+/// the kind metal. Cost: linear in the name.
 [[nodiscard]] std::optional<std::string_view> kind_of(const MaterialFacts& material);
 
-/// Returns whether the pattern of an override means a material: by its name with wildcards, or, as
-/// `kind:wood`, by its kind.
-[[nodiscard]] bool means(const std::string& pattern, const MaterialFacts& material);
+/// Returns whether the pattern of an override means a material with the given name and kind: by the name with
+/// wildcards, or, as `kind:wood`, by the kind.
+[[nodiscard]] bool means(const std::string& pattern, const std::string& name,
+                         std::optional<std::string_view> kind);
 
 /// Returns the kind that a pattern such as `kind:wood` names; nothing for a pattern of names.
 [[nodiscard]] std::optional<std::string_view> named_kind(std::string_view pattern);

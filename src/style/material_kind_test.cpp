@@ -68,11 +68,12 @@ TEST(MaterialKinds, AreAllNamedBySomeWord)
 
 TEST(MaterialKinds, AreMeantByPatternsOfKindsAndNamesByPatternsOfNames)
 {
-    const MaterialFacts brick{.name = "brick_old"};
-    EXPECT_TRUE(means("kind:stone", brick));
-    EXPECT_FALSE(means("kind:wood", brick));
-    EXPECT_TRUE(means("brick*", brick));
-    EXPECT_FALSE(means("stone", brick));
+    const std::string brick = "brick_old";
+    EXPECT_TRUE(means("kind:stone", brick, "stone"));
+    EXPECT_FALSE(means("kind:wood", brick, "stone"));
+    EXPECT_TRUE(means("brick*", brick, "stone"));
+    EXPECT_FALSE(means("stone", brick, "stone"));
+    EXPECT_FALSE(means("kind:stone", brick, std::nullopt));
     EXPECT_EQ(named_kind("kind:wood"), "wood");
     EXPECT_EQ(named_kind("wood"), std::nullopt);
 }

@@ -61,12 +61,12 @@ const style::Schema<StyleTables>& style_schema()
     return schema;
 }
 
-style::MaterialFacts facts_of(const Material& material)
+std::optional<std::string_view> kind_of(const Material& material)
 {
-    return {.name = material.name,
-            .metallic = material.metallic,
-            .roughness = material.roughness,
-            .is_foliage = material.is_foliage};
+    return style::kind_of({.name = material.name,
+                           .metallic = material.metallic,
+                           .roughness = material.roughness,
+                           .is_foliage = material.is_foliage});
 }
 
 namespace {
@@ -242,8 +242,9 @@ StyleVariants style_variants(const pose::MeshData& meshes, const Scene& scene, c
     const std::vector<Matches> of_nodes = matches_of_nodes(scene, style.overrides);
     std::vector<Matches> of_materials;
     for (const Material& material : scene.materials) {
+        const auto kind = kind_of(material);
         of_materials.push_back(matches_of(style.overrides, By::material, [&](const std::string& pattern) {
-            return style::means(pattern, facts_of(material));
+            return style::means(pattern, material.name, kind);
         }));
     }
     std::map<Matches, uint32_t> variants{{Matches(style.overrides.size(), false), 0U}};

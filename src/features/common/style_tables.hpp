@@ -128,8 +128,8 @@ struct StyleVariants {
 /// applies to the node's descendants. Cost: linear in nodes times overrides.
 [[nodiscard]] StyleVariants style_variants_of_nodes(const Scene& scene, const StyleTables& style);
 
-/// What a scene's file says of a material, for overrides by the kind of material.
-[[nodiscard]] style::MaterialFacts facts_of(const Material& material);
+/// Returns the kind of a material of the scene, see style::kind_of().
+[[nodiscard]] std::optional<std::string_view> kind_of(const Material& material);
 
 /// Returns one message for each pattern of the style's overrides that matches nothing in the scene. Kinds of
 /// material, as in `kind:wood`, need no material. If an override changes lights, its pattern must match a

@@ -201,9 +201,11 @@ LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene, 
               }));
     }
     for (Index i = 0; i < lighting.material_links.size(); ++i) {
+        const Material& material = scene.materials[i];
+        const auto kind = kind_of(material);
         apply(lighting.material_links[i], changes_for(style, [&](const style::Surfaces& surfaces) {
                   return surfaces.by == style::Surfaces::By::material &&
-                         style::means(surfaces.pattern, facts_of(scene.materials[i]));
+                         style::means(surfaces.pattern, material.name, kind);
               }));
     }
     return lighting;

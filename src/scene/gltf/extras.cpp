@@ -393,9 +393,23 @@ void hold(Primitive& primitive, const Scene& scene, Index texture)
     }
 }
 
+/// Whether extras of a node or material say whether it is cloth.
 bool speaks_of_cloth(Data& data, const tinygltf::Value& extras, const std::string& pointer)
 {
     return has_extras(extras) && Reader(data, extras, pointer).has("cloth");
+}
+
+/// Warns of a node that is cloth by its name or the name of its material alone, if nothing holds it.
+void warn_if_it_falls(Data& data, const std::string& pointer, const Primitive& primitive)
+{
+    if (std::ranges::none_of(primitive.held, [](float held) { return held > 0.0F; })) {
+        data.warn(
+            pointer,
+            fmt::format("{} is simulated as cloth because of the name \"cloth\", and falls down, because "
+                        "nothing holds it; to draw it as it is, set \"cloth\": false in its extras, or "
+                        "rename it",
+                        owner_at(data, pointer)));
+    }
 }
 
 } // namespace
@@ -429,24 +443,16 @@ void import_cloth(Data& data, const std::map<Index, Index>& held_textures, Scene
             if (cloth_of(scene, node, primitive) == nullptr) {
                 continue;
             }
+            static const tinygltf::Value no_extras;
             const bool has_material = primitive.material < sources.materials.size();
-            const auto texture = of_node || !has_material
-                                     ? of_node
-                                     : held_texture(data, sources.materials[primitive.material].extras,
-                                                    fmt::format("/materials/{}", primitive.material));
+            const tinygltf::Value& of_material =
+                has_material ? sources.materials[primitive.material].extras : no_extras;
+            const std::string material_pointer = fmt::format("/materials/{}", primitive.material);
+            const auto texture = of_node ? of_node : held_texture(data, of_material, material_pointer);
             hold(primitive, scene, texture ? held_textures.at(*texture) : no_index);
-            const bool is_asked_for =
-                speaks_of_cloth(data, sources.nodes[i].extras, pointer) ||
-                (has_material && speaks_of_cloth(data, sources.materials[primitive.material].extras,
-                                                 fmt::format("/materials/{}", primitive.material)));
-            if (!is_asked_for &&
-                std::ranges::none_of(primitive.held, [](float held) { return held > 0.0F; })) {
-                data.warn(
-                    pointer,
-                    fmt::format("{} is simulated as cloth because of the name \"cloth\", and falls down, "
-                                "because nothing holds it; to draw it as it is, set \"cloth\": false in "
-                                "its extras, or rename it",
-                                owner_at(data, pointer)));
+            if (!speaks_of_cloth(data, sources.nodes[i].extras, pointer) &&
+                !speaks_of_cloth(data, of_material, material_pointer)) {
+                warn_if_it_falls(data, pointer, primitive);
             }
         }
     }

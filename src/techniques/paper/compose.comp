@@ -121,16 +121,16 @@ const float catch_width = 0.5;
 
 // Pigment of a dry stroke that stays at a place of the paper. High spots catch pigment first, and hollows
 // only where the stroke is dark. The mean over the paper is the stroke's coverage, because `level` solves
-//     coverage = mean of clamp((level - lower) / catch_width, 0, 1) for `lower` between 0 and 1.
+//     coverage = mean of clamp((level - higher) / catch_width, 0, 1) for `higher` between 0 and 1.
 float caught(float coverage, float tooth)
 {
-    float lower = 1.0 - smoothstep(hollow, summit, tooth);
+    float higher = 1.0 - smoothstep(hollow, summit, tooth); // share of the paper that is higher
     float light = sqrt(2.0 * catch_width * coverage);
     float dark = 1.0 + catch_width - sqrt(2.0 * catch_width * (1.0 - coverage));
     float level = coverage < 0.5 * catch_width         ? light
                   : coverage > 1.0 - 0.5 * catch_width ? dark
                                                        : coverage + 0.5 * catch_width;
-    return mix(coverage, clamp((level - lower) / catch_width, 0.0, 1.0), constants.ink_grain);
+    return mix(coverage, clamp((level - higher) / catch_width, 0.0, 1.0), constants.ink_grain);
 }
 
 // Distance to the edge of the drawing's window (the page inside the margin), negative inside.

@@ -5,68 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <random>
 
-#include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
-#include "features/common/view.hpp"
-#include "gpu/resources.hpp"
 #include "style/parameter.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
+#include "techniques/paper/paper_test_page.hpp"
 
 namespace estampe::paper {
 namespace {
-
-/// The layers of a page; each is blank until a test paints it.
-struct Layers {
-    test::Painter<glm::vec4> wash = [](glm::uvec2) { return glm::vec4(1.0F); };
-    test::Painter<float> hatch = [](glm::uvec2) { return 0.0F; };
-    test::Painter<glm::vec4> lines = [](glm::uvec2) { return glm::vec4(0.0F); };
-    test::Painter<float> sky_ink = [](glm::uvec2) { return 0.0F; };
-    test::Painter<glm::vec4> light = [](glm::uvec2) { return glm::vec4(1.0F); };
-    glm::uvec2 sky_size_px{1};
-    bool has_sky = true;
-};
-
-/// Calls `add` with a graph and inputs, and returns the composed layers.
-template <class Add>
-auto made_of(const Layers& layers, glm::uvec2 size_px, float pixels_per_mm, const Add& add)
-{
-    const double height_mm = size_px.y / static_cast<double>(pixels_per_mm);
-    const auto globals =
-        features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = height_mm});
-    gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
-    auto wash = test::Layer::color(size_px, layers.wash);
-    auto hatch = test::Layer::coverage(size_px, layers.hatch);
-    auto lines = test::Layer::root_color(size_px, layers.lines);
-    auto sky_ink = test::Layer::coverage(layers.sky_size_px, layers.sky_ink);
-    auto light = test::Layer::color(size_px, layers.light);
-    gpu::Graph graph;
-    const ComposeInputs inputs{.frame = gpu::import_whole(graph, "frame", frame),
-                               .wash = wash.in(graph),
-                               .hatch = hatch.in(graph),
-                               .lines = lines.in(graph),
-                               .sky_ink = sky_ink.in(graph),
-                               .has_sky = layers.has_sky,
-                               .light = light.in(graph),
-                               .page_px = size_px,
-                               .size_px = size_px};
-    return add(graph, inputs);
-}
-
-/// Returns the whole picture, or the picture composed up to a stage.
-std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, glm::uvec2 size_px,
-                               float pixels_per_mm = 3.0F, std::optional<Stage> stage = std::nullopt)
-{
-    return made_of(layers, size_px, pixels_per_mm, [&](gpu::Graph& graph, const ComposeInputs& inputs) {
-        return stage
-                   ? test::run_and_read_as<glm::vec4>(graph, add_compose_stage(graph, inputs, style, *stage))
-                   : test::run_and_read_colors(graph, add_compose(graph, inputs, style));
-    });
-}
 
 /// Paper without relief, so that each layer has the same coverage as it was painted.
 PaperStyle smooth()
@@ -489,138 +438,6 @@ TEST(Compose, DryStrokesCatchOnTheToothAndStayAsDark)
     }
     EXPECT_NEAR(std::ranges::max(cover(0.0F, 1.0F)), 0.0, 1e-3) << "no pigment";
     EXPECT_NEAR(std::ranges::min(cover(1.0F, 1.0F)), 1.0, 1e-3) << "pressed into all hollows";
-}
-
-/// Develops pictures one after another with the same sums; returns the pixels after each.
-template <class Pixel>
-std::vector<std::vector<Pixel>> develop_as(const std::vector<test::Painter<glm::vec4>>& pictures,
-                                           glm::uvec2 size_px, PixelForm form)
-{
-    const uint64_t count = sizeof(Pixel) / sizeof(uint32_t) * size_px.x * size_px.y;
-    auto older = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(7.0F); });
-    gpu::Image sums(test::shared_device(), "sums",
-                    {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba32f});
-    gpu::Buffer pixels =
-        gpu::upload_buffer(test::shared_device(), "pixels", std::vector<uint32_t>(count, 0x01020304U));
-    std::vector<std::vector<Pixel>> results;
-    for (uint32_t i = 0; i < pictures.size(); ++i) {
-        auto picture = test::Layer::color(size_px, pictures[i]);
-        gpu::Graph graph;
-        const Accumulation accumulation{.sample_index = i,
-                                        .sample_count = static_cast<uint32_t>(pictures.size())};
-        const Developed developed =
-            add_develop(graph, picture.in(graph), import_sums(graph, sums, accumulation),
-                        gpu::import_whole(graph, "pixels", pixels), size_px, accumulation, form);
-        results.push_back(test::run_and_read_as<Pixel>(graph, developed.pixels));
-    }
-    return results;
-}
-
-std::vector<std::vector<glm::u8vec4>> develop(const std::vector<test::Painter<glm::vec4>>& pictures,
-                                              glm::uvec2 size_px)
-{
-    return develop_as<glm::u8vec4>(pictures, size_px, PixelForm::srgb_bytes);
-}
-
-void expect_developed(const std::vector<glm::u8vec4>& bytes, const test::Painter<glm::vec3>& linear,
-                      glm::uvec2 size_px)
-{
-    for (uint32_t i = 0; i < bytes.size(); ++i) {
-        const glm::dvec3 encoded = 255.0 * style::srgb_from_linear(linear({i % size_px.x, i / size_px.x}));
-        for (int channel = 0; channel < 3; ++channel) {
-            EXPECT_NEAR(bytes[i][channel], encoded[channel], 0.5 + 0.2) << "pixel " << i;
-        }
-        EXPECT_EQ(bytes[i].w, 255);
-    }
-}
-
-TEST(Develop, IsOnePassWithTheLayingOfAnOnlySample)
-{
-    constexpr glm::uvec2 size_px(67, 21); // not a multiple of the workgroup size
-    const Layers layers{
-        .wash =
-            [](glm::uvec2 pixel) {
-                return glm::vec4(0.015F * static_cast<float>(pixel.x), 0.5F, 0.9F, 1.0F);
-            },
-        .hatch = [](glm::uvec2 pixel) { return pixel.y % 3 == 0 ? 0.7F : 0.0F; },
-        .lines =
-            [](glm::uvec2 pixel) { return glm::vec4(0.1F, 0.0F, 0.0F, pixel.x % 7 == 0 ? 0.8F : 0.0F); }};
-    const auto bytes = made_of(layers, size_px, 3.0F, [&](gpu::Graph& graph, const ComposeInputs& inputs) {
-        const auto pixels = graph.buffer("pixels", {.size_bytes = sizeof(uint32_t) * size_px.x * size_px.y});
-        return test::run_and_read_as<glm::u8vec4>(graph, add_pixels(graph, inputs, {}, pixels));
-    });
-    const std::vector<glm::vec4> picture = compose(layers, {}, size_px);
-    ASSERT_EQ(bytes.size(), picture.size());
-    expect_developed(
-        bytes, [&](glm::uvec2 pixel) { return glm::vec3(picture[pixel.y * size_px.x + pixel.x]); }, size_px);
-}
-
-TEST(Develop, OnePictureBecomesItsBytes)
-{
-    constexpr glm::uvec2 size_px(64, 16);
-    const auto ramp = [](glm::uvec2 pixel) {
-        const float t = static_cast<float>(pixel.y * 64 + pixel.x) / 1023.0F;
-        return glm::vec4(t, t * t, 1.25F * t - 0.125F, 1.0F);
-    };
-    expect_developed(
-        develop({ramp}, size_px)[0],
-        [&](glm::uvec2 pixel) {
-            const glm::vec4 rounded = glm::unpackHalf4x16(glm::packHalf4x16(ramp(pixel)));
-            return glm::clamp(glm::vec3(rounded), 0.0F, 1.0F);
-        },
-        size_px);
-}
-
-TEST(Develop, SeveralPicturesBecomeTheirMean)
-{
-    constexpr glm::uvec2 size_px(24, 20);
-    std::vector<test::Painter<glm::vec4>> pictures;
-    for (uint32_t k = 0; k < 5; ++k) {
-        pictures.emplace_back([k](glm::uvec2 pixel) {
-            const auto part = [&](uint32_t salt) {
-                return static_cast<float>((pixel.x * 37 + pixel.y * 101 + k * 59 + salt) % 97) / 96.0F;
-            };
-            return glm::vec4(part(1), part(2) * part(3), part(4), 1.0F);
-        });
-    }
-    const auto results = develop(pictures, size_px);
-    for (size_t k = 0; k + 1 < results.size(); ++k) {
-        EXPECT_EQ(results[k][7], glm::u8vec4(4, 3, 2, 1)) << "only the last writes the picture";
-    }
-    expect_developed(
-        results.back(),
-        [&](glm::uvec2 pixel) {
-            glm::vec3 sum(0.0F);
-            for (const auto& picture : pictures) {
-                sum += glm::vec3(picture(pixel));
-            }
-            return sum / static_cast<float>(pictures.size());
-        },
-        size_px);
-}
-
-TEST(Develop, FloatsAreTheMeanAsItIs)
-{
-    constexpr glm::uvec2 size_px(64, 40);
-    const auto picture = [](float step) {
-        return [step](glm::uvec2 pixel) {
-            const float t = static_cast<float>(pixel.y * 64 + pixel.x) / 2048.0F;
-            return glm::vec4(t + step, 1.5F - t, 0.001F * t, 0.5F * t);
-        };
-    };
-    const auto as_half = [](const glm::vec4& color) { return glm::unpackHalf4x16(glm::packHalf4x16(color)); };
-    const auto one = develop_as<glm::vec4>({picture(0.0F)}, size_px, PixelForm::linear_floats)[0];
-    const auto two =
-        develop_as<glm::vec4>({picture(0.0F), picture(0.25F)}, size_px, PixelForm::linear_floats)[1];
-    for (uint32_t i = 0; i < one.size(); ++i) {
-        const glm::uvec2 pixel(i % size_px.x, i / size_px.x);
-        const glm::vec4 first = as_half(picture(0.0F)(pixel));
-        EXPECT_EQ(one[i], first);
-        const glm::vec4 mean = 0.5F * (first + as_half(picture(0.25F)(pixel)));
-        for (int channel = 0; channel < 4; ++channel) {
-            EXPECT_NEAR(two[i][channel], mean[channel], 1e-6F) << "alpha is averaged too";
-        }
-    }
 }
 
 } // namespace

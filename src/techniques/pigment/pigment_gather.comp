@@ -5,8 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/pigment/density.glsl"
-#include "techniques/pigment/pigment.glsl.h"
+#include "techniques/pigment/pigment.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -39,7 +39,7 @@ auto moved(const Page& page, const PigmentStyle& style, const Read& read)
     return read(graph, layers);
 }
 
-/// Ink of the strokes after smudging.
+/// Ink of the strokes after their pigment moved.
 std::vector<float> strokes_of(const Page& page, const PigmentStyle& style)
 {
     return moved(page, style, [](gpu::Graph& graph, const PigmentLayers& layers) {
@@ -191,7 +191,7 @@ TEST(Pigment, TilesOfAPageFitTogether)
     }
 }
 
-/// A page whose left half is painted. The painted object covers less, so that alpha tells its place.
+/// A page whose left half is an object in one colour; its right half is bare paper, with alpha 0.
 Page painted_half(const glm::vec3& paint)
 {
     Page page;

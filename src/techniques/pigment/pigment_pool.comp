@@ -6,16 +6,13 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/noise.glsl"
-#include "techniques/pigment/density.glsl"
-#include "techniques/pigment/pigment.glsl.h"
+#include "techniques/pigment/pigment.glsl"
 
 layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(binding = 0) uniform sampler2D wash_image;
 layout(binding = 1) uniform sampler2D cell_image; // density that was spread
 layout(binding = 2, rgba16f) writeonly uniform image2D out_wash;
-
-#include "techniques/pigment/cells.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -54,7 +51,7 @@ void main()
     ivec2 from = clamp(pixel + ivec2(stray_px), ivec2(0), ivec2(constants.size_px) - 1);
     vec3 through = texelFetch(wash_image, from, 0).rgb;
     if (constants.pool > 0.0 || constants.wet > 0.0) {
-        vec3 around = spread_at(page_px + stray_px, constants.from_px, constants.cell_px).rgb;
+        vec3 around = spread_at(cell_image, page_px + stray_px, constants.from_px, constants.cell_px).rgb;
         vec3 density = mix(density_of(through), around, constants.wet * wetness_at(page_mm));
         // Only the darker side of an edge changes: paint does not leave its neighbour.
         through = exp(-(density + constants.pool * max(density - around, vec3(0.0))));

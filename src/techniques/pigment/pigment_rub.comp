@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/pigment/pigment.glsl.h"
+#include "techniques/pigment/pigment.glsl"
 
 layout(local_size_x = 8, local_size_y = 32) in;
 
@@ -16,8 +16,6 @@ layout(binding = 3) uniform sampler2D cell_image;  // ink that was spread
 layout(binding = 4, rgba16f) writeonly uniform image2D out_wash;
 layout(binding = 5, r16f) writeonly uniform image2D out_hatch;
 layout(binding = 6, rgba8) writeonly uniform image2D out_lines;
-
-#include "techniques/pigment/cells.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -45,9 +43,10 @@ void main()
     lines /= weights;
     vec4 wash = texelFetch(wash_image, pixel, 0);
     vec2 page_px = vec2(uvec2(pixel) + constants.from_px) + 0.5;
-    float rubbed = constants.rub > 0.0
-                       ? constants.rub * spread_at(page_px, constants.from_px, constants.cell_px).x
-                       : 0.0;
+    float rubbed =
+        constants.rub > 0.0
+            ? constants.rub * spread_at(cell_image, page_px, constants.from_px, constants.cell_px).x
+            : 0.0;
     // The rest of the ink lies over the rubbed ink. Both together cover as much as the mean of both.
     float rest = (1.0 - constants.rub) * hatch / max(1.0 - rubbed, 1e-4);
     imageStore(out_wash, pixel, vec4(wash.rgb * mix(vec3(1.0), constants.ink, rubbed), wash.a));
