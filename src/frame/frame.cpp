@@ -27,7 +27,8 @@ void declare_frame(const FrameContext& context)
                   {.maps = maps, .smoke = volume, .lightmap = lightmap, .occlusion = occlusion});
 
     // Steps that draw ink strokes, as paths or as images.
-    const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen);
+    const std::optional<gpu::ImageId> halo = add_halo(context, surface);
+    const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen, halo);
     const contour::ContourInputs outlining = contour_inputs(context, scene, visibility, surface, lit, screen);
     if (context.job.lists != nullptr) {
         declare_stroke_lists(
@@ -58,7 +59,7 @@ void declare_frame(const FrameContext& context)
     // Steps that compute the colour under the ink, and that compose colour and ink on paper.
     const std::optional<gpu::BufferId> far_tiles = add_far_tiles(context, scene, surface);
     const auto shade = add_shade(context, scene, visibility, surface, lit.sun);
-    Colors colors = add_colors(context, scene, surface, {lit.light, shade}, screen, far_tiles);
+    Colors colors = add_colors(context, scene, surface, {lit.light, shade}, screen, far_tiles, halo);
     colors = add_seen_through(context, scene, visibility, surface, maps, screen, colors);
     haze::HazeLayers faded = add_haze(context, scene, surface, colors.sky_wash, far_tiles,
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});

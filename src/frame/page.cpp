@@ -9,6 +9,7 @@
 #include <estampe/error.hpp>
 
 #include "gpu/transfers.hpp"
+#include "techniques/halo/halo.hpp"
 #include "techniques/lens/lens.hpp"
 #include "techniques/occlusion/occlusion.hpp"
 #include "techniques/smoke/smoke.hpp"
@@ -100,6 +101,8 @@ uint32_t overlap_px(const features::StyleTables& style, float pixels_per_mm)
            paper::reach_px(style.paper, pixels_per_mm) +
            std::max(hatch::reach_px(style.hatch, pixels_per_mm),
                     contour::reach_px(style.contour, pixels_per_mm)) +
+           hatch::group_reach_px(style.hatch, pixels_per_mm) +
+           halo::reach_px(std::max(style.hatch.halo_mm, style.sky.halo_mm), pixels_per_mm) +
            smoke::reach_px(style.smoke, pixels_per_mm) + lens::reach_px(style.lens, pixels_per_mm) +
            occlusion::reach_px(style.occlusion, pixels_per_mm) +
            subsurface::reach_px(style.subsurface, pixels_per_mm) + neighbours_px;

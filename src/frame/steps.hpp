@@ -163,10 +163,16 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 /// Returns the buffer with the style variant of each draw call; none if there is a single variant.
 [[nodiscard]] std::optional<gpu::BufferId> variant_of_draw(const FrameContext& context);
 
-/// Returns the inputs of hatching.
+/// Measures distances on the page to things, around which strokes of ground and sky thin out; none if no
+/// strokes do.
+[[nodiscard]] std::optional<gpu::ImageId> add_halo(const FrameContext& context,
+                                                   const surface::Surface& surface);
+
+/// Returns the inputs of hatching. `halo` is the result of add_halo().
 [[nodiscard]] hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface, const light::LitPixels& lit,
-                                              const SeenThrough& screen);
+                                              const SeenThrough& screen,
+                                              const std::optional<gpu::ImageId>& halo);
 
 /// Returns the inputs of line detection.
 [[nodiscard]] contour::ContourInputs contour_inputs(const FrameContext& context, const PosedScene& scene,
@@ -237,7 +243,8 @@ struct LightAndShade {
 /// Paints the flat colours of surfaces, and the sky behind the surfaces.
 [[nodiscard]] Colors add_colors(const FrameContext& context, const PosedScene& scene,
                                 const surface::Surface& surface, const LightAndShade& lit,
-                                const SeenThrough& screen, const std::optional<gpu::BufferId>& far_tiles);
+                                const SeenThrough& screen, const std::optional<gpu::BufferId>& far_tiles,
+                                const std::optional<gpu::ImageId>& halo);
 
 /// Paints a lit surface in its style variants' colours, and `background` at pixels without a surface.
 [[nodiscard]] gpu::ImageId add_paint(const FrameContext& context, const PosedScene& scene,

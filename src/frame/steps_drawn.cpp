@@ -3,6 +3,7 @@
 #include "frame/steps.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/contour/chains/chains.hpp"
+#include "techniques/halo/halo.hpp"
 #include "techniques/subsurface/subsurface.hpp"
 
 namespace estampe::frame {
@@ -86,9 +87,26 @@ std::optional<gpu::BufferId> variant_of_draw(const FrameContext& context)
     return gpu::import_whole(context.graph, "style variants", context.buffers.variant_of_draw);
 }
 
+std::optional<gpu::ImageId> add_halo(const FrameContext& context, const surface::Surface& surface)
+{
+    const FramePlan& plan = context.plan;
+    float halo_mm = plan.page.has_sky && context.style.sky.darkness > 0.0F ? context.style.sky.halo_mm : 0.0F;
+    for (const features::StyleTables& style : plan.variants.styles) {
+        halo_mm = std::max(halo_mm, style.hatch.enabled ? style.hatch.halo_mm : 0.0F);
+    }
+    if (halo_mm <= 0.0F) {
+        return std::nullopt;
+    }
+    return halo::add_distances(context.graph, {.draw = surface.draw,
+                                               .normal = surface.normal,
+                                               .ground_draws = plan.strokes.ground_draws,
+                                               .reach_px = halo_mm * plan.page.pixels_per_mm,
+                                               .size_px = context.sample.size_px});
+}
+
 hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,
                                 const surface::Surface& surface, const light::LitPixels& lit,
-                                const SeenThrough& screen)
+                                const SeenThrough& screen, const std::optional<gpu::ImageId>& halo)
 {
     const FramePlan& plan = context.plan;
     return {.frame = scene.frame,
@@ -101,6 +119,7 @@ hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& s
             .light = lit.light,
             .sun = plan.strokes.has_causes && plan.sun.shines ? std::optional(lit.sun) : std::nullopt,
             .ground_draws = plan.strokes.ground_draws,
+            .halo = halo,
             .screen = screen.images.color,
             .has_screen = screen.is_there,
             .tone = {},
@@ -381,7 +400,7 @@ std::optional<gpu::ImageId> add_shade(const FrameContext& context, const PosedSc
 
 Colors add_colors(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface,
                   const LightAndShade& lit, const SeenThrough& screen,
-                  const std::optional<gpu::BufferId>& far_tiles)
+                  const std::optional<gpu::BufferId>& far_tiles, const std::optional<gpu::ImageId>& halo)
 {
     const FramePlan& plan = context.plan;
     const bool has_layers = context.job.linear != nullptr && context.job.linear->has_layers();
@@ -397,6 +416,7 @@ Colors add_colors(const FrameContext& context, const PosedScene& scene, const su
                                  .daylight_rad = plan.sun.daylight_rad,
                                  .pixels_per_mm = plan.page.pixels_per_mm,
                                  .drawn = plan.page.has_sky,
+                                 .halo = halo,
                                  .size_px = context.sample.size_px,
                                  .tiles = tiles,
                                  .far_m = far_m},

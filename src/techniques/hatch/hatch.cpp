@@ -11,6 +11,8 @@
 #include "gpu/transfers.hpp"
 #include "shaders/darkness_comp.hpp"
 #include "shaders/dots_comp.hpp"
+#include "shaders/group_tones_comp.hpp"
+#include "shaders/groups_comp.hpp"
 #include "shaders/lines_comp.hpp"
 #include "shaders/map_comp.hpp"
 #include "shaders/overrun_comp.hpp"
@@ -24,6 +26,17 @@ namespace {
 glm::vec2 turned(float degrees)
 {
     return {-glm::sin(glm::radians(degrees)), glm::cos(glm::radians(degrees))};
+}
+
+bool groups_tones(const HatchStyle& style)
+{
+    return style.groups >= 2 && style.group_strength > 0.0F;
+}
+
+/// Whether small areas of a tone are joined to others, which takes passes of its own.
+bool joins_areas(const HatchStyle& style)
+{
+    return groups_tones(style) && style.group_area_mm2 > 0.0F;
 }
 
 constexpr uint32_t tile_px = 8;
@@ -132,12 +145,56 @@ MapInputs import_map(gpu::Graph& graph, MapImages& map)
 
 bool needs_causes(const HatchStyle& style)
 {
-    return style.form_shade != 1.0F || style.cast_shade != 1.0F || style.ground_shade != 1.0F;
+    return style.form_shade != 1.0F || style.cast_shade != 1.0F || style.ground_shade != 1.0F ||
+           style.under_shade != 1.0F;
 }
+
+uint32_t group_reach_px(const HatchStyle& style, float pixels_per_mm)
+{
+    // Four times the width of a square of the least area.
+    return groups_tones(style)
+               ? static_cast<uint32_t>(std::ceil(4.0F * std::sqrt(style.group_area_mm2) * pixels_per_mm))
+               : 0U;
+}
+
+namespace {
+
+/// Groups the darkness into tones, and lists the tiles that are not blank in `tiles`.
+gpu::ImageId add_groups(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
+                        gpu::ImageId darkness, gpu::BufferId& tiles)
+{
+    const uint64_t pixels = uint64_t{in.size_px.x} * in.size_px.y;
+    gpu::BufferId parents = graph.buffer("hatch/parents", {.size_bytes = sizeof(uint32_t) * pixels});
+    gpu::BufferId areas = graph.buffer("hatch/areas", {.size_bytes = sizeof(shared::GroupArea) * pixels});
+    const float pixels_per_mm2 = in.pixels_per_mm * in.pixels_per_mm;
+    const shared::GroupConstants constants{.size_px = in.size_px,
+                                           .count = static_cast<uint32_t>(style.groups),
+                                           .strength = style.group_strength,
+                                           .least_px = style.group_area_mm2 * pixels_per_mm2};
+    for (const uint32_t step :
+         {shared::groups_start, shared::groups_unite, shared::groups_measure, shared::groups_borders}) {
+        auto pass = graph.compute("hatch/areas", shaders::groups_comp);
+        pass.sample(darkness);
+        parents = step == shared::groups_start ? pass.write(parents) : pass.modify(parents);
+        areas = step == shared::groups_start ? pass.write(areas) : pass.modify(areas);
+        pass.variant(step).push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    }
+    auto pass = graph.compute("hatch/grouped", shaders::group_tones_comp);
+    pass.sample(darkness).read(parents).read(areas);
+    const gpu::ImageId grouped = pass.write(graph.image(
+        "hatch/grouped", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    tiles = pass.modify(tiles);
+    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    return grouped;
+}
+
+} // namespace
 
 Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
-    const gpu::BufferId none = add_empty_list(graph, in.size_px);
+    const bool is_grouped = joins_areas(style);
+    const bool has_halo = in.halo && style.halo_mm > 0.0F;
+    gpu::BufferId tiles = add_empty_list(graph, in.size_px);
     auto pass = graph.compute("hatch/darkness", shaders::darkness_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.color).sample(in.light);
     pass.sample(in.screen);
@@ -145,14 +202,17 @@ Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle
         "hatch/darkness", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
     const gpu::ImageId blank =
         in.ink_before ? pass.modify(*in.ink_before) : pass.write(ink_image(graph, in.size_px));
-    const gpu::BufferId tiles = pass.modify(none);
+    tiles = pass.modify(tiles);
     pass.sample(in.variant_of_draw.value_or(in.frame), gpu::Format::r32ui);
     pass.sample(in.sun.value_or(in.light)).sample(in.normal);
+    pass.sample(in.halo.value_or(in.light), in.halo ? gpu::Sampling::linear : gpu::Sampling::nearest);
     pass.variant((in.sun && needs_causes(style) ? shared::darkness_has_causes : 0U) |
                  (style.fade < 1.0F ? shared::darkness_has_fade : 0U) |
                  (in.has_screen ? shared::darkness_has_screen : 0U) |
                  (in.variant_of_draw ? shared::darkness_has_variants : 0U) |
-                 (in.ink_before ? shared::darkness_keeps_ink : 0U));
+                 (in.ink_before ? shared::darkness_keeps_ink : 0U) |
+                 (is_grouped ? shared::darkness_is_grouped : 0U) |
+                 (has_halo ? shared::darkness_has_halo : 0U));
     pass.push(shared::DarknessConstants{.tone = in.tone,
                                         .fade = style.fade,
                                         .fade_distance_m = style.fade_distance_m,
@@ -160,9 +220,16 @@ Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle
                                         .form_shade = style.form_shade,
                                         .cast_shade = style.cast_shade,
                                         .ground_shade = style.ground_shade,
-                                        .ground_draws = in.ground_draws})
+                                        .under_shade = style.under_shade,
+                                        .ground_draws = in.ground_draws,
+                                        .halo_px = style.halo_mm * in.pixels_per_mm,
+                                        .group_count = groups_tones(style) && !is_grouped
+                                                           ? static_cast<uint32_t>(style.groups)
+                                                           : 0U,
+                                        .group_strength = style.group_strength})
         .dispatch_over(in.size_px.x, in.size_px.y);
-    return {darkness, blank, tiles};
+    const gpu::ImageId grouped = is_grouped ? add_groups(graph, in, style, darkness, tiles) : darkness;
+    return {grouped, blank, tiles};
 }
 
 gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
@@ -328,6 +395,22 @@ const style::Table<HatchStyle>& hatch_table()
             .number("ground_shade", &HatchStyle::ground_shade, {0.0F, 16.0F}, "",
                     "How densely the ground and level surfaces are hatched, in the light and in shade: 0 "
                     "leaves such surfaces blank, 1 keeps the tone, less is lighter, more is darker")
+            .number("under_shade", &HatchStyle::under_shade, {0.0F, 16.0F}, "",
+                    "How densely shade is hatched on surfaces that face down, such as vaults, eaves and the "
+                    "undersides of things: 0 leaves such surfaces blank, 1 keeps the tone, more is darker")
+            .number("halo_mm", &HatchStyle::halo_mm, {0.0F, 30.0F}, "mm",
+                    "Width of the halo around things that stand on the ground: there the strokes of the "
+                    "ground in the light thin out towards the things. 0 draws no halo.")
+            .integer("groups", &HatchStyle::groups, {0, shared::most_groups}, "",
+                     "Number of tones into which hatching groups the picture, paper and black included: 3 "
+                     "or 4 make large shapes, more keep more of the light. 0 does not group; 2 is the least "
+                     "that does.")
+            .number("group_strength", &HatchStyle::group_strength, {0.0F, 1.0F}, "",
+                    "How strongly tones are grouped: 0 keeps the tone of each place, 1 draws each area in "
+                    "one tone. Only used when hatch.groups is 2 or more.")
+            .number("group_area_mm2", &HatchStyle::group_area_mm2, {0.0F, 100.0F}, "mm2",
+                    "Smallest area of a grouped tone on the page: smaller areas take the tone of the areas "
+                    "around them. Only used when hatch.groups is 2 or more.")
             .file("map", &HatchStyle::map,
                   "Tonal art map (set of stroke textures): a .tam file, or a folder of PNG or DDS files. If "
                   "empty, the strokes are made with the values of section tam. Only used when hatch.strokes "

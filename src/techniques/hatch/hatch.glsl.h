@@ -33,6 +33,23 @@ SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U;
 // sun off, and where they are level.
 SHARED_CONSTANT uint darkness_has_causes = 1U << 4U;
 
+// The darkness is grouped into areas of one tone afterwards, by groups.comp: the shader writes `not_hatched`
+// where a pixel has no surface to hatch, and lists no tiles.
+SHARED_CONSTANT uint darkness_is_grouped = 1U << 5U;
+SHARED_CONSTANT uint darkness_has_halo = 1U << 6U; // strokes thin out around things, see techniques/halo
+
+// Value in the image of darkness.comp of pixels without a surface to hatch, if the darkness is grouped.
+SHARED_CONSTANT float not_hatched = -1.0F;
+
+// Largest number of tones into which the darkness is grouped.
+SHARED_CONSTANT uint most_groups = 6U;
+
+// The steps of groups.comp, as the shader's variant: each step is one dispatch over the page.
+SHARED_CONSTANT uint groups_start = 0U;   // each tile of 8 x 8 pixels is divided into areas of one tone
+SHARED_CONSTANT uint groups_unite = 1U;   // touching areas of one tone become one area
+SHARED_CONSTANT uint groups_measure = 2U; // pixels of each area are counted
+SHARED_CONSTANT uint groups_borders = 3U; // borders of small areas are counted, by the tone beyond the border
+
 // Variant bit (compiled-in feature) of overrun.comp: the first step of the jump flooding, in which each pixel
 // draws strokes only from itself.
 SHARED_CONSTANT uint overrun_is_first = 1U << 0U;
@@ -81,7 +98,25 @@ struct DarknessConstants {
     float form_shade;
     float cast_shade;
     float ground_shade;
+    float under_shade;  // besides on surfaces in shade that face down
     uvec2 ground_draws; // draw calls of the ground and the terrain; UINT_MAX where there is none
+    float halo_px;      // width of the halo in which strokes of the ground thin out
+    uint group_count;   // number of tones into which the darkness is grouped; 0: none
+    float group_strength;
+};
+
+struct GroupConstants {
+    uvec2 size_px;
+    uint count; // number of tones, at most most_groups
+    float strength;
+    float least_px; // smallest area that keeps its tone
+};
+
+// An area of connected pixels of one tone.
+struct GroupArea {
+    uint pixels; // number of pixels; large areas are not counted to the end
+    // Only for small areas: length of the border with areas that are not small, for each tone beyond.
+    uint borders[6];
 };
 
 struct LineConstants {

@@ -91,6 +91,11 @@ struct HatchStyle {
     float form_shade = 1.6F;
     float cast_shade = 1.8F;
     float ground_shade = 0.6F;
+    float under_shade = 1.0F;
+    float halo_mm = 3.0F;
+    int groups = 0;
+    float group_strength = 1.0F;
+    float group_area_mm2 = 3.0F;
     std::string map;
     MapTone map_tone = MapTone::order;
     float map_contrast = 12.0F;
@@ -144,6 +149,9 @@ struct HatchInputs {
     std::optional<gpu::ImageId> sun;
     /// Draw calls of the ground and the terrain; UINT32_MAX where there is none.
     glm::uvec2 ground_draws{UINT32_MAX};
+    /// Distances on the page to things, see techniques/halo; set if the strokes of the ground thin out around
+    /// things.
+    std::optional<gpu::ImageId> halo;
     gpu::ImageId screen; ///< colour and coverage of transparent surfaces; a single texel if there are none
     bool has_screen = false;
     shared::ToneConstants tone;
@@ -191,7 +199,8 @@ struct Darkness {
 };
 
 /// Converts light to darkness by the tone curve. Darkness decreases with distance and behind transparent
-/// surfaces. Cost: one full-screen dispatch.
+/// surfaces. If the style groups tones, the darkness is then grouped. Cost: one full-screen dispatch, or six
+/// if the darkness is grouped.
 [[nodiscard]] Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
 
 /// Draws lines whose mean ink is the wanted darkness. shaders/lines.glsl explains how lines are placed.
@@ -216,6 +225,10 @@ struct Darkness {
 /// Largest distance in pixels between a pixel and a neighbour whose strokes extend into the first pixel; 0 if
 /// strokes do not run over silhouettes.
 [[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
+
+/// Distance in pixels from which the tone of a pixel can depend on its neighbours, if tones are grouped; 0 if
+/// they are not. Thin areas that are longer than that and smaller than the least area are not seen whole.
+[[nodiscard]] uint32_t group_reach_px(const HatchStyle& style, float pixels_per_mm);
 
 /// Draws dots of a screentone. The mean ink of the dots is the wanted darkness, or the nearest tone. The dots
 /// lie on the page and move with the object that they shade.

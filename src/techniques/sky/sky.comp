@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
+#include "shaders/halo.glsl.h"
 #include "techniques/sky/sky.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -24,8 +25,10 @@ layout(binding = 2, r16f) writeonly uniform image2D out_ink;
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_tiles = (variant & sky_has_tiles) != 0u;
 const bool has_depth = (variant & sky_has_depth) != 0u;
+const bool has_halo = (variant & sky_has_halo) != 0u;
 
 layout(binding = 4) uniform sampler2D depth_image; // reversed depth; only with sky_has_depth
+layout(binding = 5) uniform sampler2D halo_image;  // only with sky_has_halo
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -98,6 +101,7 @@ void main()
         0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6),
                         normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
     float dark = constants.darkness * smoothstep(0.04, 0.55, height) * mix(1.0, 0.25, towards_light);
+    dark *= has_halo ? left_in_halo(halo_image, position, constants.halo_px) : 1.0;
     float pen = constants.stroke_width_px;
     float ink = line_ink(field, level_pen(pen), dark, 77u);
     float disc = disc_cover(d, distance(d, direction_at(position + vec2(1.0, 0.0))));

@@ -91,7 +91,9 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
     const gpu::ImageId ink =
         before ? pass.modify(before->ink) : pass.write(graph.image("sky/ink", ink_image));
     pass.read(in.tiles.value_or(in.frame)).sample(in.depth);
-    pass.variant((in.tiles ? shared::sky_has_tiles : 0U) | (in.far_m ? shared::sky_has_depth : 0U));
+    pass.sample(in.halo.value_or(in.depth), in.halo ? gpu::Sampling::linear : gpu::Sampling::nearest);
+    pass.variant((in.tiles ? shared::sky_has_tiles : 0U) | (in.far_m ? shared::sky_has_depth : 0U) |
+                 (in.halo && style.halo_mm > 0.0F ? shared::sky_has_halo : 0U));
     const SkyColors colors = colors_under(style, in.towards_sun, in.daylight_rad);
     const Disc disc = disc_of(style, in.towards_sun, in.daylight_rad);
     pass.push(shared::SkyConstants{.horizon_color = colors.horizon,
@@ -108,7 +110,8 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
                                    .towards_disc = disc.towards,
                                    .disc_lit = disc.lit,
                                    .steps = static_cast<float>(style.steps),
-                                   .far_m = in.far_m.value_or(0.0F)});
+                                   .far_m = in.far_m.value_or(0.0F),
+                                   .halo_px = style.halo_mm * in.pixels_per_mm});
     if (in.tiles) {
         pass.dispatch_indirect(*in.tiles);
     } else {
@@ -134,6 +137,9 @@ const style::Table<SkyStyle>& sky_table()
                     "Darkness of the strokes high in the sky: 0 draws no strokes, 1 draws the darkest")
             .number("width_mm", &SkyStyle::width_mm, {0.02F, 10.0F}, "mm",
                     "Width on the page of a stroke of the sky: more is bolder")
+            .number("halo_mm", &SkyStyle::halo_mm, {0.0F, 30.0F}, "mm",
+                    "Width of the halo around things in front of the sky: there the strokes of the sky thin "
+                    "out towards the things. 0 draws no halo.")
             .choice("follow", &SkyStyle::follow,
                     {{"auto", SkyFollow::automatic}, {"sun", SkyFollow::sun}, {"none", SkyFollow::none}},
                     "When the colours of the sky follow the height of the sun, through noon, dusk and night. "

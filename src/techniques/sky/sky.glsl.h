@@ -15,6 +15,8 @@ SHARED_CONSTANT uint sky_has_tiles = 1U << 0U;
 // the sky.
 SHARED_CONSTANT uint sky_has_depth = 1U << 1U;
 
+SHARED_CONSTANT uint sky_has_halo = 1U << 2U; // strokes thin out around things
+
 struct SkyConstants {
     vec3 horizon_color;
     float stroke_width_px;
@@ -31,6 +33,7 @@ struct SkyConstants {
     float disc_lit; // lit share of the disc's width
     float steps;    // number of flat tones of the wash; 0: a smooth gradient
     float far_m;    // only with sky_has_depth: surfaces nearer to the eye than `far_m` hide the sky
+    float halo_px;  // width of the halo around things in which strokes thin out
 };
 
 // Variant bits: each bit compiles one feature into the shader clouds.comp.

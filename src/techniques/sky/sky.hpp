@@ -17,6 +17,7 @@ struct SkyStyle {
     glm::vec3 zenith = style::srgb(0x5f9a92);
     float darkness = 0.22F;
     float width_mm = 0.34F;
+    float halo_mm = 4.0F;
     SkyFollow follow = SkyFollow::automatic;
     glm::vec3 noon_horizon = style::srgb(0xf4eed6);
     glm::vec3 noon_zenith = style::srgb(0x78aebd);
@@ -45,6 +46,8 @@ struct SkyInputs {
     std::optional<float> daylight_rad; ///< elevation of the sun; only set if the style's `sun.by` is place
     float pixels_per_mm = 1.0F;
     bool drawn = false;
+    /// Distances on the page to things, see techniques/halo; if set, strokes thin out around things.
+    std::optional<gpu::ImageId> halo;
     glm::uvec2 size_px{0};
     /// If set, paints the sky only in the listed tiles of the page; the list comes from
     /// surface::add_far_tiles(). All other tiles stay blank.

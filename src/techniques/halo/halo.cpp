@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/halo/halo.hpp"
+
+#include <cmath>
+
+#include "shaders/halo.glsl.h"
+#include "shaders/halo_distance_comp.hpp"
+#include "shaders/halo_things_comp.hpp"
+#include "techniques/halo/halo.glsl.h"
+
+namespace estampe::halo {
+
+gpu::ImageId add_distances(gpu::Graph& graph, const HaloInputs& in)
+{
+    const glm::uvec2 size = (in.size_px + shared::halo_texel_px - 1U) / shared::halo_texel_px;
+    const gpu::ImageDesc image{.width = size.x, .height = size.y, .format = gpu::Format::r16f};
+    auto things = graph.compute("halo/things", shaders::halo_things_comp);
+    things.sample(in.draw).sample(in.normal);
+    gpu::ImageId distances = things.write(graph.image("halo/things", image));
+    things.push(shared::HaloThingConstants{.size_px = in.size_px, .ground_draws = in.ground_draws})
+        .dispatch_over(size.x, size.y);
+    for (const glm::ivec2 along : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+        auto pass = graph.compute("halo/distance", shaders::halo_distance_comp);
+        pass.sample(distances);
+        distances = pass.write(graph.image("halo/distance", image));
+        pass.push(shared::HaloConstants{.size_texels = size,
+                                        .along = along,
+                                        .reach_texels = static_cast<int>(std::ceil(
+                                            in.reach_px / static_cast<float>(shared::halo_texel_px)))})
+            .dispatch_over(size.x, size.y);
+    }
+    return distances;
+}
+
+uint32_t reach_px(float halo_mm, float pixels_per_mm)
+{
+    return halo_mm > 0.0F
+               ? static_cast<uint32_t>(std::ceil(halo_mm * pixels_per_mm)) + 2 * shared::halo_texel_px
+               : 0U;
+}
+
+} // namespace estampe::halo

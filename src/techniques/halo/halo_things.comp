@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// One thread handles one texel, a square of pixels of the page. The texel is 0 where one of the pixels shows
+// a thing, and far away otherwise. All surfaces are things except ground, floors and other level planes.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/halo.glsl.h"
+#include "shaders/level.glsl"
+#include "shaders/unit.glsl"
+#include "techniques/halo/halo.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform usampler2D draw_image;
+layout(binding = 1) uniform usampler2D normal_image;
+layout(binding = 2, r16f) writeonly uniform image2D out_distance;
+
+layout(push_constant, scalar) uniform Constants
+{
+    HaloThingConstants constants;
+};
+
+const float far_px = 60000.0;
+
+void main()
+{
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(texel, imageSize(out_distance)))) {
+        return;
+    }
+    int side = int(halo_texel_px);
+    ivec2 last = ivec2(constants.size_px) - 1;
+    bool has_thing = false;
+    vec3 first = vec3(0.0);
+    for (int i = 0; i < side * side && !has_thing; ++i) {
+        ivec2 pixel = min(side * texel + ivec2(i % side, i / side), last);
+        uint word = texelFetch(draw_image, pixel, 0).x;
+        if (sees_draw(word) && !is_ground(word, constants.ground_draws)) {
+            vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).y);
+            first = first == vec3(0.0) ? normal : first;
+            has_thing = !is_flat_and_level(normal, first);
+        }
+    }
+    imageStore(out_distance, texel, vec4(has_thing ? 0.0 : far_px));
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_GROUPS
+#define ESTAMPE_GROUPS
+
+// The table of areas of one tone, and the tone of a pixel before areas are joined. Requires `constants`.
+// An area is named by the smallest number of its pixels.
+
+#include "techniques/hatch/group_tone.glsl"
+#include "techniques/hatch/hatch.glsl.h"
+
+layout(binding = 0) uniform sampler2D darkness_image;
+
+// For each pixel, a pixel of the same area with a smaller number, or the pixel itself. Threads may read a
+// value that another thread has replaced meanwhile: the old value is a pixel of the same area, too.
+layout(scalar, binding = 1) buffer Parents
+{
+    uint parents[];
+};
+
+// The entry of an area's name describes the area. Entries of other pixels are not used.
+layout(scalar, binding = 2) buffer Areas
+{
+    GroupArea areas[];
+};
+
+const uint no_group = 0xffffffffu;
+// Areas keep their own tone in full from this multiple of the least area on, so that a growing area appears
+// little by little.
+const float full_area = 1.5;
+
+uint number_of(ivec2 pixel)
+{
+    return uint(pixel.y) * constants.size_px.x + uint(pixel.x);
+}
+
+// Tone of a pixel, counted from 0 for paper; no_group beyond the page and where nothing is hatched.
+uint group_at(ivec2 pixel)
+{
+    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
+        return no_group;
+    }
+    float dark = texelFetch(darkness_image, pixel, 0).x;
+    return dark < 0.0 ? no_group : group_of(dark, constants.count);
+}
+
+#endif
