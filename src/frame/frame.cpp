@@ -27,7 +27,7 @@ void declare_frame(const FrameContext& context)
                   {.maps = maps, .smoke = volume, .lightmap = lightmap, .occlusion = occlusion});
 
     // Steps that draw ink strokes, as paths or as images.
-    const std::optional<gpu::ImageId> halo = add_halo(context, surface);
+    const std::optional<gpu::ImageId> halo = add_halo(context, scene, surface);
     const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen, halo);
     const contour::ContourInputs outlining = contour_inputs(context, scene, visibility, surface, lit, screen);
     if (context.job.lists != nullptr) {

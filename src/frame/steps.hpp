@@ -165,7 +165,7 @@ subsurface_inputs(const FrameContext& context, const PosedScene& scene, const su
 
 /// Measures distances on the page to things, around which strokes of ground and sky thin out; none if no
 /// strokes do.
-[[nodiscard]] std::optional<gpu::ImageId> add_halo(const FrameContext& context,
+[[nodiscard]] std::optional<gpu::ImageId> add_halo(const FrameContext& context, const PosedScene& scene,
                                                    const surface::Surface& surface);
 
 /// Returns the inputs of hatching. `halo` is the result of add_halo().

@@ -87,7 +87,8 @@ std::optional<gpu::BufferId> variant_of_draw(const FrameContext& context)
     return gpu::import_whole(context.graph, "style variants", context.buffers.variant_of_draw);
 }
 
-std::optional<gpu::ImageId> add_halo(const FrameContext& context, const surface::Surface& surface)
+std::optional<gpu::ImageId> add_halo(const FrameContext& context, const PosedScene& scene,
+                                     const surface::Surface& surface)
 {
     const FramePlan& plan = context.plan;
     float halo_mm = plan.page.has_sky && context.style.sky.darkness > 0.0F ? context.style.sky.halo_mm : 0.0F;
@@ -97,7 +98,8 @@ std::optional<gpu::ImageId> add_halo(const FrameContext& context, const surface:
     if (halo_mm <= 0.0F) {
         return std::nullopt;
     }
-    return halo::add_distances(context.graph, {.draw = surface.draw,
+    return halo::add_distances(context.graph, {.frame = scene.frame,
+                                               .draw = surface.draw,
                                                .normal = surface.normal,
                                                .ground_draws = plan.strokes.ground_draws,
                                                .reach_px = halo_mm * plan.page.pixels_per_mm,

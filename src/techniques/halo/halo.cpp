@@ -12,13 +12,13 @@ namespace estampe::halo {
 
 gpu::ImageId add_distances(gpu::Graph& graph, const HaloInputs& in)
 {
-    const glm::uvec2 size = (in.size_px + shared::halo_texel_px - 1U) / shared::halo_texel_px;
+    // A tile of a page may begin and end within texels.
+    const glm::uvec2 size = (in.size_px + 2U * (shared::halo_texel_px - 1U)) / shared::halo_texel_px;
     const gpu::ImageDesc image{.width = size.x, .height = size.y, .format = gpu::Format::r16f};
     auto things = graph.compute("halo/things", shaders::halo_things_comp);
-    things.sample(in.draw).sample(in.normal);
+    things.uniform(in.frame).sample(in.draw).sample(in.normal);
     gpu::ImageId distances = things.write(graph.image("halo/things", image));
-    things.push(shared::HaloThingConstants{.size_px = in.size_px, .ground_draws = in.ground_draws})
-        .dispatch_over(size.x, size.y);
+    things.push(shared::HaloThingConstants{.ground_draws = in.ground_draws}).dispatch_over(size.x, size.y);
     for (const glm::ivec2 along : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
         auto pass = graph.compute("halo/distance", shaders::halo_distance_comp);
         pass.sample(distances);

@@ -10,7 +10,6 @@ namespace estampe::shared {
 #endif
 
 struct HaloThingConstants {
-    uvec2 size_px;
     uvec2 ground_draws; // draw calls of the ground and the terrain; UINT_MAX where there is none
 };
 

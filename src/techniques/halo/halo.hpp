@@ -13,6 +13,7 @@
 namespace estampe::halo {
 
 struct HaloInputs {
+    gpu::BufferId frame; ///< buffer with the FrameGlobals of the current frame
     gpu::ImageId draw;   ///< r32ui: see shaders/surface_images.glsl
     gpu::ImageId normal; ///< rg32ui: normals bent by normal maps, and smooth normals
     /// Draw calls of the ground and the terrain; UINT32_MAX where there is none.
@@ -24,8 +25,8 @@ struct HaloInputs {
 /// Measures distances on the page to the nearest pixel that shows a thing. All surfaces are things except the
 /// ground, and planes that are level, such as floors and table tops.
 ///
-/// Writes  r16f, one texel per 4 x 4 pixels: distance from the texel's middle to the nearest texel with a
-/// thing
+/// Writes  r16f, one texel per 4 x 4 pixels of the page: distance from the texel's middle to the nearest
+/// texel with a thing
 ///         in pixels, 0 in texels with a thing; exact up to `reach_px`, larger beyond
 /// Cost    one read of two images of the page, and two dispatches over a sixteenth of the page
 [[nodiscard]] gpu::ImageId add_distances(gpu::Graph& graph, const HaloInputs& in);

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/frame.glsl.h"
 #include "shaders/halo.glsl.h"
 #include "shaders/level.glsl"
 #include "shaders/unit.glsl"
@@ -12,9 +13,14 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform usampler2D draw_image;
-layout(binding = 1) uniform usampler2D normal_image;
-layout(binding = 2, r16f) writeonly uniform image2D out_distance;
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(binding = 1) uniform usampler2D draw_image;
+layout(binding = 2) uniform usampler2D normal_image;
+layout(binding = 3, r16f) writeonly uniform image2D out_distance;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -30,12 +36,13 @@ void main()
         return;
     }
     int side = int(halo_texel_px);
-    ivec2 last = ivec2(constants.size_px) - 1;
+    ivec2 from = side * texel - ivec2(halo_offset_px(frame.tile_from_px));
     bool has_thing = false;
     vec3 first = vec3(0.0);
     for (int i = 0; i < side * side && !has_thing; ++i) {
-        ivec2 pixel = min(side * texel + ivec2(i % side, i / side), last);
-        uint word = texelFetch(draw_image, pixel, 0).x;
+        ivec2 pixel = from + ivec2(i % side, i / side);
+        bool on_page = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(uvec2(pixel), frame.size_px));
+        uint word = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;
         if (sees_draw(word) && !is_ground(word, constants.ground_draws)) {
             vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).y);
             first = first == vec3(0.0) ? normal : first;

@@ -91,7 +91,7 @@ float layers_at(ivec2 pixel, uint word, float dark)
 // Share of the darkness that remains at a pixel of the ground, or of a plane like the ground, around things.
 float left_around_things(ivec2 pixel, uint word, float dark)
 {
-    float left = left_in_halo(halo_image, vec2(pixel) + 0.5, constants.halo_px);
+    float left = left_in_halo(halo_image, vec2(pixel) + 0.5, frame.tile_from_px, constants.halo_px);
     if (left == 1.0) {
         return 1.0;
     }

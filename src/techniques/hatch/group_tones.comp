@@ -18,9 +18,10 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/hatch/groups.glsl"
 
-layout(binding = 3, r16f) writeonly uniform image2D out_darkness;
+layout(binding = 3) uniform sampler2D exact_image; // darkness before smoothing
+layout(binding = 4, r16f) writeonly uniform image2D out_darkness;
 
-#define DARK_TILES_BINDING 4
+#define DARK_TILES_BINDING 5
 #include "techniques/hatch/dark_tiles.glsl"
 
 // Tone of the areas that are not small with which a small area shares the longest border; no_group if the
@@ -39,7 +40,7 @@ uint tone_around(uint name)
 
 float grouped(ivec2 pixel)
 {
-    float dark = texelFetch(darkness_image, pixel, 0).x;
+    float dark = texelFetch(exact_image, pixel, 0).x;
     if (dark < 0.0) {
         return 0.0;
     }

@@ -8,7 +8,7 @@
 #include "techniques/hatch/group_tone.glsl"
 #include "techniques/hatch/hatch.glsl.h"
 
-layout(binding = 0) uniform sampler2D darkness_image;
+layout(binding = 0) uniform sampler2D darkness_image; // smoothed
 
 // For each pixel, a pixel of the same area with a smaller number, or the pixel itself. Threads may read a
 // value that another thread has replaced meanwhile: the old value is a pixel of the same area, too.

@@ -11,6 +11,7 @@
 #include "gpu/transfers.hpp"
 #include "shaders/darkness_comp.hpp"
 #include "shaders/dots_comp.hpp"
+#include "shaders/group_smooth_comp.hpp"
 #include "shaders/group_tones_comp.hpp"
 #include "shaders/groups_comp.hpp"
 #include "shaders/lines_comp.hpp"
@@ -170,19 +171,27 @@ gpu::ImageId add_groups(gpu::Graph& graph, const HatchInputs& in, const HatchSty
     const shared::GroupConstants constants{.size_px = in.size_px,
                                            .count = static_cast<uint32_t>(style.groups),
                                            .strength = style.group_strength,
-                                           .least_px = style.group_area_mm2 * pixels_per_mm2};
+                                           .least_px = style.group_area_mm2 * pixels_per_mm2,
+                                           .smooth_px = style.group_smooth_mm * in.pixels_per_mm};
+    const gpu::ImageDesc image{.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f};
+    gpu::ImageId smooth = darkness;
+    if (constants.smooth_px >= 1.0F) {
+        auto smoothing = graph.compute("hatch/smooth", shaders::group_smooth_comp);
+        smoothing.sample(darkness);
+        smooth = smoothing.write(graph.image("hatch/smooth", image));
+        smoothing.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    }
     for (const uint32_t step :
          {shared::groups_start, shared::groups_unite, shared::groups_measure, shared::groups_borders}) {
         auto pass = graph.compute("hatch/areas", shaders::groups_comp);
-        pass.sample(darkness);
+        pass.sample(smooth);
         parents = step == shared::groups_start ? pass.write(parents) : pass.modify(parents);
         areas = step == shared::groups_start ? pass.write(areas) : pass.modify(areas);
         pass.variant(step).push(constants).dispatch_over(in.size_px.x, in.size_px.y);
     }
     auto pass = graph.compute("hatch/grouped", shaders::group_tones_comp);
-    pass.sample(darkness).read(parents).read(areas);
-    const gpu::ImageId grouped = pass.write(graph.image(
-        "hatch/grouped", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    pass.sample(smooth).read(parents).read(areas).sample(darkness);
+    const gpu::ImageId grouped = pass.write(graph.image("hatch/grouped", image));
     tiles = pass.modify(tiles);
     pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
     return grouped;
@@ -411,6 +420,10 @@ const style::Table<HatchStyle>& hatch_table()
             .number("group_area_mm2", &HatchStyle::group_area_mm2, {0.0F, 100.0F}, "mm2",
                     "Smallest area of a grouped tone on the page: smaller areas take the tone of the areas "
                     "around them. Only used when hatch.groups is 2 or more.")
+            .number("group_smooth_mm", &HatchStyle::group_smooth_mm, {0.0F, 5.0F}, "mm",
+                    "Radius on the page within which fine texture is smoothed before tones are grouped: more "
+                    "gives simpler areas. Edges of shade stay where they are. Only used when "
+                    "hatch.group_area_mm2 is above 0.")
             .file("map", &HatchStyle::map,
                   "Tonal art map (set of stroke textures): a .tam file, or a folder of PNG or DDS files. If "
                   "empty, the strokes are made with the values of section tam. Only used when hatch.strokes "

@@ -109,7 +109,8 @@ struct GroupConstants {
     uvec2 size_px;
     uint count; // number of tones, at most most_groups
     float strength;
-    float least_px; // smallest area that keeps its tone
+    float least_px;  // smallest area that keeps its tone
+    float smooth_px; // radius over which the darkness is smoothed before it is grouped
 };
 
 // An area of connected pixels of one tone.

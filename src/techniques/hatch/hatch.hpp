@@ -96,6 +96,7 @@ struct HatchStyle {
     int groups = 0;
     float group_strength = 1.0F;
     float group_area_mm2 = 3.0F;
+    float group_smooth_mm = 1.0F;
     std::string map;
     MapTone map_tone = MapTone::order;
     float map_contrast = 12.0F;

@@ -101,7 +101,7 @@ void main()
         0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6),
                         normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
     float dark = constants.darkness * smoothstep(0.04, 0.55, height) * mix(1.0, 0.25, towards_light);
-    dark *= has_halo ? left_in_halo(halo_image, position, constants.halo_px) : 1.0;
+    dark *= has_halo ? left_in_halo(halo_image, position, frame.tile_from_px, constants.halo_px) : 1.0;
     float pen = constants.stroke_width_px;
     float ink = line_ink(field, level_pen(pen), dark, 77u);
     float disc = disc_cover(d, distance(d, direction_at(position + vec2(1.0, 0.0))));

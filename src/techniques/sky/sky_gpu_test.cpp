@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -24,12 +25,14 @@ struct SkyPixels {
     std::vector<float> ink;
 };
 
-SkyPixels paint_sky(const View& view, SkyStyle style)
+SkyPixels paint_sky(const View& view, SkyStyle style, std::optional<float> to_things_px = {})
 {
     style.horizon = horizon;
     style.zenith = zenith;
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{view.globals()});
     auto depth = test::Layer::depth(view.size_px, [&](glm::uvec2 pixel) { return view.depth_at(pixel); });
+    auto halo = test::Layer::coverage((view.size_px + 6U) / 4U,
+                                      [&](glm::uvec2) { return to_things_px.value_or(0.0F); });
     const auto add = [&](gpu::Graph& graph) {
         return add_sky(graph,
                        {.frame = gpu::import_whole(graph, "frame", frame),
@@ -38,6 +41,7 @@ SkyPixels paint_sky(const View& view, SkyStyle style)
                         .daylight_rad = view.daylight_rad,
                         .pixels_per_mm = view.pixels_per_mm,
                         .drawn = view.drawn,
+                        .halo = to_things_px ? std::optional(halo.in(graph)) : std::nullopt,
                         .size_px = view.size_px,
                         .far_m = view.far_m},
                        style);
@@ -327,6 +331,24 @@ TEST(Sky, BandsAreWipedInFromAboveAndBelow)
     EXPECT_GT(flat(0.0F) + flat(0.5F) + flat(1.0F),
               static_cast<int>(0.6 * static_cast<double>(shares.size())));
     EXPECT_GT(flat(0.5F), 500);
+}
+
+TEST(Sky, StrokesThinOutAroundThings)
+{
+    SkyStyle style;
+    style.darkness = 0.6F;
+    style.halo_mm = 4.0F;
+    const View view{.camera = looking(50.0, 0.0, 0.9), .pixels_per_mm = 3.0F};
+    const auto mean = [&](const std::vector<float>& ink) {
+        return std::accumulate(ink.begin(), ink.end(), 0.0) / static_cast<double>(ink.size());
+    };
+    const double open = mean(paint_sky(view, style).ink);
+    ASSERT_GT(open, 0.2);
+    EXPECT_EQ(mean(paint_sky(view, style, 0.0F).ink), 0.0);
+    EXPECT_NEAR(mean(paint_sky(view, style, 6.0F).ink), 0.5 * open, 0.02); // half of 12 px
+    EXPECT_EQ(mean(paint_sky(view, style, 12.0F).ink), open);
+    style.halo_mm = 0.0F;
+    EXPECT_EQ(mean(paint_sky(view, style, 0.0F).ink), open);
 }
 
 TEST(Sky, NoDarknessIsNoInkAndNoSkyIsOneBlankTexel)
