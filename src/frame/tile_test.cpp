@@ -88,6 +88,7 @@ TEST(Tiles, OverlapAsFarAsInkRuns)
 {
     features::StyleTables style;
     style.contour.enabled = false;
+    style.hatch.halo_mm = style.sky.halo_mm = 0.0F;
     const uint32_t least = overlap_px(style, 10.0F);
     EXPECT_LT(least, 8U);
     style.hatch.overrun_mm = 1.0F;
@@ -96,6 +97,13 @@ TEST(Tiles, OverlapAsFarAsInkRuns)
     style.bleed = {.enabled = true, .width_mm = 1.0F};
     EXPECT_GE(overlap_px(style, 10.0F), with_overrun + 12U);
     EXPECT_GT(overlap_px(style, 20.0F), overlap_px(style, 10.0F));
+    const uint32_t with_bleed = overlap_px(style, 10.0F);
+    style.sky.halo_mm = 3.0F;
+    EXPECT_GE(overlap_px(style, 10.0F), with_bleed + 30U);
+    const uint32_t with_halo = overlap_px(style, 10.0F);
+    style.hatch.groups = 4;
+    style.hatch.group_area_mm2 = 4.0F;
+    EXPECT_GE(overlap_px(style, 10.0F), with_halo + 80U);
 }
 
 } // namespace

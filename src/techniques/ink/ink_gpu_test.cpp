@@ -222,6 +222,42 @@ TEST(Ink, ComesOutOfWhatIsDarkInSpots)
     EXPECT_LT(inked, size_t{48} * 64 / 8) << "small spots, not the whole";
 }
 
+TEST(Ink, AThinSourceGivesAnEvenThread)
+{
+    // A single dark pixel in a wind that blows across rows of cells, at several speeds. Along the thread, the
+    // ink of a column of cells must be even: no beads and no rungs.
+    for (const float mm_per_s : {40.0F, 75.0F, 110.0F, 160.0F}) {
+        InkStyle style = flood();
+        style.swirl_mm_per_s = 0.0F;
+        style.wind_mm_per_s = mm_per_s;
+        style.wind_deg = 9.0F;
+        style.spot_mm = 40.0F;
+        style.spacing_mm = 60.0F;
+        style.age_s = 1e6F;
+        style.life_s = 1e6F;
+        Bench bench({128, 64});
+        bench.hatch_at = [](glm::uvec2 pixel) { return pixel == glm::uvec2(12, 40) ? 1.0F : 0.0F; };
+        for (int picture = 0; picture <= 60; ++picture) {
+            bench.advance(style, 3.0 + picture / 24.0);
+        }
+        const auto cells = bench.cells();
+        std::vector<double> columns(128);
+        for (size_t i = 0; i < cells.size(); ++i) {
+            columns[i % 128] += static_cast<double>(cells[i].x);
+        }
+        double mean = 0.0;
+        double rough = 0.0;
+        for (size_t x = 24; x < 104; ++x) {
+            mean += columns[x] / 80.0;
+            rough += std::abs(columns[x + 1] - 2.0 * columns[x] + columns[x - 1]) / 80.0;
+        }
+        std::printf("at %.0f mm/s: ink of a column %.4f, roughness %.4f\n", static_cast<double>(mm_per_s),
+                    mean, rough / mean);
+        EXPECT_GT(mean, 1e-3);
+        EXPECT_LE(rough / mean, 0.1) << mm_per_s;
+    }
+}
+
 TEST(Ink, IsTheSameEachTime)
 {
     std::vector<std::vector<glm::vec2>> runs;

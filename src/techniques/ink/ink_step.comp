@@ -186,20 +186,32 @@ float was_seen(Before before)
     return before.depth < 0.0 || is_hidden ? 0.0 : 1.0;
 }
 
+// Ink that the drawing gives in a cell. When the covered area nears its budget, fewer spots give ink, each
+// spot at full strength.
+float given_in_cell(ivec2 cell, float room)
+{
+    ivec2 within = clamp(cell, ivec2(0), ivec2(globals.grid_size) - 1);
+    int place = within.y * int(globals.grid_size.x) + within.x;
+    vec2 source = unpackUnorm4x8(texelFetch(source_texels, place).x).xy;
+    return source.x * smoothstep(0.0, 0.1, 1.1 * room - source.y);
+}
+
 // Average ink given along the ink's path in the step, which ends at the place `grid`. Because of the average,
-// a spot gives a thread and not a row of beads. When the covered area nears its budget, fewer spots give ink,
-// each spot at full strength.
+// a spot gives a thread and not a row of beads. Between cells, the given ink is interpolated: a thin source
+// would otherwise give a staircase of cells, which the flow draws out into rungs.
 float given_along(vec2 grid, vec2 path)
 {
-    const int stops = 4;
+    int stops = int(clamp(ceil(2.0 * length(path)), 4.0, 16.0));
     float room = clamp(2.0 - 2.0 * mean_cover(sums.covered[step.sum_before]) / globals.budget, 0.0, 1.0);
     float given = 0.0;
     for (int i = 0; i < stops; ++i) {
-        ivec2 cell = ivec2(floor(grid - path * (float(i) / float(stops))));
-        cell = clamp(cell, ivec2(0), ivec2(globals.grid_size) - 1);
-        int place = cell.y * int(globals.grid_size.x) + cell.x;
-        vec2 source = unpackUnorm4x8(texelFetch(source_texels, place).x).xy;
-        given += source.x * smoothstep(0.0, 0.1, 1.1 * room - source.y);
+        vec2 place = grid - path * (float(i) / float(stops)) - 0.5;
+        ivec2 cell = ivec2(floor(place));
+        vec2 share = place - floor(place);
+        float above = mix(given_in_cell(cell, room), given_in_cell(cell + ivec2(1, 0), room), share.x);
+        float below =
+            mix(given_in_cell(cell + ivec2(0, 1), room), given_in_cell(cell + ivec2(1, 1), room), share.x);
+        given += mix(above, below, share.y);
     }
     return step.given * given / float(stops);
 }
