@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "gpu/resources.hpp"
+#include "shaders/ink_corners_comp.hpp"
 #include "shaders/ink_lay_comp.hpp"
 #include "shaders/ink_measure_comp.hpp"
 #include "shaders/ink_source_comp.hpp"
@@ -373,7 +374,7 @@ public:
 
     void add_steps(const Inputs& in)
     {
-        const gpu::BufferId source = add_source(in);
+        const gpu::BufferId source = add_corners(add_source(in));
         for (size_t i = 0; i < plan_.steps.size(); ++i) {
             shared::InkStep step = plan_.steps[i];
             step.sum_before = memory_.sum_now_;
@@ -417,6 +418,18 @@ private:
             .variant(plan_.variant | (plan_.mask.empty() ? 0U : shared::ink_has_mask))
             .dispatch_over(size.x, (size.y + strip - 1) / strip);
         return source;
+    }
+
+    /// Packs each cell's source with those of its neighbours.
+    gpu::BufferId add_corners(gpu::BufferId source)
+    {
+        const glm::uvec2 size = plan_.grid.size;
+        auto pass = graph_.compute("ink/corners", shaders::ink_corners_comp);
+        pass.sample(source, gpu::Format::r32ui);
+        const gpu::BufferId corners = pass.write(
+            graph_.buffer("ink/corners", {.size_bytes = sizeof(uint32_t) * uint64_t{size.x} * size.y}));
+        pass.push(shared::InkCornerConstants{.grid_size = size}).dispatch_over(size.x, size.y);
+        return corners;
     }
 
     /// For ink in a cube around the eye, the step shader computes the flow per cell, and no pass stores the

@@ -120,6 +120,16 @@ struct InkSpots {
     uint round;  // number of complete lifetimes before the current one
 };
 
+// A word of ink_corners.comp: the ink given in a cell and its three neighbours to the right and below, and
+// the rank of the spot that gives most.
+SHARED_CONSTANT uint ink_corner_bits = 6U;
+SHARED_CONSTANT uint ink_corner_most = 63U;
+SHARED_CONSTANT uint ink_rank_shift = 24U;
+
+struct InkCornerConstants {
+    uvec2 grid_size;
+};
+
 struct InkSums {
     uint covered[2]; // covered area after the last two steps, in units of ink_measured per cell
 };

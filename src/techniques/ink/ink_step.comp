@@ -19,9 +19,8 @@ layout(scalar, binding = 0) uniform Ink
 layout(binding = 1) uniform usamplerBuffer state_texels;
 // Cells of ink like state_texels, with four cells per texel.
 layout(binding = 2) uniform usamplerBuffer fours_of_state;
-// Ink that the drawing gives per cell, and the rank of the spot that gives it.
-layout(binding = 3) uniform usamplerBuffer source_texels;
-layout(binding = 4) uniform samplerBuffer stream_texels; // stream function at nodes, for ink on the page
+layout(binding = 3) uniform usamplerBuffer corner_texels; // ink that the drawing gives, see ink_corners.comp
+layout(binding = 4) uniform samplerBuffer stream_texels;  // stream function at nodes, for ink on the page
 // Depths of surfaces, for ink_on_surface and ink_keeps_depth.
 layout(binding = 5) uniform sampler2D depth_image;
 // Depths of surfaces in the last picture, for ink_on_surface.
@@ -186,14 +185,29 @@ float was_seen(Before before)
     return before.depth < 0.0 || is_hidden ? 0.0 : 1.0;
 }
 
-// Ink that the drawing gives in a cell. When the covered area nears its budget, fewer spots give ink, each
-// spot at full strength.
-float given_in_cell(ivec2 cell, float room)
+// Place of a position between the middles of cells, and the cell's word of ink_corners.comp.
+vec2 place_between(vec2 grid)
 {
-    ivec2 within = clamp(cell, ivec2(0), ivec2(globals.grid_size) - 1);
-    int place = within.y * int(globals.grid_size.x) + within.x;
-    vec2 source = unpackUnorm4x8(texelFetch(source_texels, place).x).xy;
-    return source.x * smoothstep(0.0, 0.1, 1.1 * room - source.y);
+    return clamp(grid - 0.5, vec2(0.0), vec2(globals.grid_size) - 1.0);
+}
+
+uint corners_at(vec2 grid)
+{
+    ivec2 cell = ivec2(place_between(grid));
+    return texelFetch(corner_texels, cell.y * int(globals.grid_size.x) + cell.x).x;
+}
+
+// Ink that the drawing gives at a position, interpolated between cells. When the covered area nears its
+// budget, fewer spots give ink, each spot at full strength.
+float given_at(vec2 grid, uint word, float room)
+{
+    vec2 share = fract(place_between(grid));
+    uvec4 corners =
+        uvec4(word, word >> ink_corner_bits, word >> 2u * ink_corner_bits, word >> 3u * ink_corner_bits);
+    vec4 given = vec4(corners & ink_corner_most) / float(ink_corner_most);
+    vec2 rows = mix(given.xz, given.yw, share.x);
+    float rank = float(word >> ink_rank_shift) / 255.0;
+    return mix(rows.x, rows.y, share.y) * smoothstep(0.0, 0.1, 1.1 * room - rank);
 }
 
 // Average ink given along the ink's path in the step, which ends at the place `grid`. Because of the average,
@@ -201,19 +215,23 @@ float given_in_cell(ivec2 cell, float room)
 // would otherwise give a staircase of cells, which the flow draws out into rungs.
 float given_along(vec2 grid, vec2 path)
 {
-    int stops = int(clamp(ceil(2.0 * length(path)), 4.0, 16.0));
+    // Stops at most half a cell apart. They are taken in fours, whose reads do not wait for each other.
+    int fours = int(clamp(ceil(0.5 * length(path)), 1.0, 4.0));
     float room = clamp(2.0 - 2.0 * mean_cover(sums.covered[step.sum_before]) / globals.budget, 0.0, 1.0);
+    vec2 to_next = path / float(4 * fours);
     float given = 0.0;
-    for (int i = 0; i < stops; ++i) {
-        vec2 place = grid - path * (float(i) / float(stops)) - 0.5;
-        ivec2 cell = ivec2(floor(place));
-        vec2 share = place - floor(place);
-        float above = mix(given_in_cell(cell, room), given_in_cell(cell + ivec2(1, 0), room), share.x);
-        float below =
-            mix(given_in_cell(cell + ivec2(0, 1), room), given_in_cell(cell + ivec2(1, 1), room), share.x);
-        given += mix(above, below, share.y);
+    for (int four = 0; four < fours; ++four) {
+        vec2 from = grid - float(4 * four) * to_next;
+        uvec4 words = uvec4(corners_at(from), corners_at(from - to_next), corners_at(from - 2.0 * to_next),
+                            corners_at(from - 3.0 * to_next));
+        // Most places of a page give nothing.
+        if (((words.x | words.y | words.z | words.w) & ((1u << ink_rank_shift) - 1u)) != 0u) {
+            given += given_at(from, words.x, room) + given_at(from - to_next, words.y, room) +
+                     given_at(from - 2.0 * to_next, words.z, room) +
+                     given_at(from - 3.0 * to_next, words.w, room);
+        }
     }
-    return step.given * given / float(stops);
+    return step.given * given / float(4 * fours);
 }
 
 // Displacement, in cells, of the ink that arrives at a place of the page, by all blasts.
