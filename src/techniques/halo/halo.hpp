@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Halos: the distance on the page to the things that stand in front of sky and ground, so that strokes of sky
-// and ground can thin out around things.
+// Halos: strokes of sky and ground thin out around things that stand in front of them. This technique
+// measures the distance on the page to the nearest thing.
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread handles one pixel. The thread computes the darkness that the strokes must reach at the pixel,
-// and initializes the pixel's ink to blank. The shader also lists the tiles that have any darkness.
+// One thread handles one pixel: it computes the darkness that the strokes must reach, and sets the ink to
+// blank. Each workgroup lists its tile of pixels if the tile has any darkness.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,7 +14,6 @@
 #include "shaders/surface_images.glsl"
 #include "shaders/tone.glsl"
 #include "shaders/unit.glsl"
-#include "techniques/hatch/group_tone.glsl"
 #include "techniques/hatch/hatch.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread gives one pixel the tone of its area. Areas that are too small take the tone of the area with
-// which they share the longest border. The shader also lists the tiles that have any darkness.
+// which they share the longest border. Each workgroup lists its tile of pixels if the tile has any darkness.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -5,7 +5,6 @@
 // The table of areas of one tone, and the tone of a pixel before areas are joined. Requires `constants`.
 // An area is named by the smallest number of its pixels.
 
-#include "techniques/hatch/group_tone.glsl"
 #include "techniques/hatch/hatch.glsl.h"
 
 layout(binding = 0) uniform sampler2D darkness_image; // smoothed

@@ -152,10 +152,9 @@ bool needs_causes(const HatchStyle& style)
 
 uint32_t group_reach_px(const HatchStyle& style, float pixels_per_mm)
 {
-    // Four times the width of a square of the least area.
-    return groups_tones(style)
-               ? static_cast<uint32_t>(std::ceil(4.0F * std::sqrt(style.group_area_mm2) * pixels_per_mm))
-               : 0U;
+    // Four times the width of a square of the least area, beyond the distance over which tones are smoothed.
+    const float reach_mm = 4.0F * std::sqrt(style.group_area_mm2) + style.group_smooth_mm;
+    return joins_areas(style) ? static_cast<uint32_t>(std::ceil(reach_mm * pixels_per_mm)) : 0U;
 }
 
 namespace {

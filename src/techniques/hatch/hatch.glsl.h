@@ -44,6 +44,20 @@ SHARED_CONSTANT float not_hatched = -1.0F;
 // Largest number of tones into which the darkness is grouped.
 SHARED_CONSTANT uint most_groups = 6U;
 
+#ifndef __cplusplus
+// The tone, of `count` tones counted from 0 for paper, to which a darkness is rounded.
+uint group_of(float dark, uint count)
+{
+    return uint(clamp(dark, 0.0, 1.0) * float(count - 1u) + 0.5);
+}
+
+// Darkness of a tone, of `count` tones counted from 0 for paper.
+float tone_of_group(uint group, uint count)
+{
+    return float(group) / float(count - 1u);
+}
+#endif
+
 // The steps of groups.comp, as the shader's variant: each step is one dispatch over the page.
 SHARED_CONSTANT uint groups_start = 0U;   // each tile of 8 x 8 pixels is divided into areas of one tone
 SHARED_CONSTANT uint groups_unite = 1U;   // touching areas of one tone become one area
@@ -117,7 +131,7 @@ struct GroupConstants {
 struct GroupArea {
     uint pixels; // number of pixels; large areas are not counted to the end
     // Only for small areas: length of the border with areas that are not small, for each tone beyond.
-    uint borders[6];
+    uint borders[most_groups];
 };
 
 struct LineConstants {

@@ -425,10 +425,10 @@ private:
     {
         const glm::uvec2 size = plan_.grid.size;
         auto pass = graph_.compute("ink/corners", shaders::ink_corners_comp);
-        pass.sample(source, gpu::Format::r32ui);
+        pass.uniform(globals_).sample(source, gpu::Format::r32ui);
         const gpu::BufferId corners = pass.write(
             graph_.buffer("ink/corners", {.size_bytes = sizeof(uint32_t) * uint64_t{size.x} * size.y}));
-        pass.push(shared::InkCornerConstants{.grid_size = size}).dispatch_over(size.x, size.y);
+        pass.dispatch_over(size.x, size.y);
         return corners;
     }
 

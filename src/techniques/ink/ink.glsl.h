@@ -126,10 +126,6 @@ SHARED_CONSTANT uint ink_corner_bits = 6U;
 SHARED_CONSTANT uint ink_corner_most = 63U;
 SHARED_CONSTANT uint ink_rank_shift = 24U;
 
-struct InkCornerConstants {
-    uvec2 grid_size;
-};
-
 struct InkSums {
     uint covered[2]; // covered area after the last two steps, in units of ink_measured per cell
 };

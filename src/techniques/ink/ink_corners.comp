@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread per cell of ink packs the ink that the drawing gives in the cell and its neighbours to the right
-// and below into one word, so that the steps of the ink interpolate between cells with a single read.
+// One thread per cell of ink packs the ink that the drawing gives in four cells into one word: the thread's
+// cell, its neighbours to the right and below, and the cell diagonally below. With these words, the steps of
+// the ink interpolate between cells with a single read.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -9,22 +10,22 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform usamplerBuffer source_texels; // given ink and rank of spots, see ink_source.comp
-
-layout(scalar, binding = 1) writeonly buffer Corners
+layout(scalar, binding = 0) uniform Ink
 {
-    uint corners[];
+    InkGlobals globals;
 };
 
-layout(push_constant, scalar) uniform Constants
+layout(binding = 1) uniform usamplerBuffer source_texels; // given ink and rank of spots, see ink_source.comp
+
+layout(scalar, binding = 2) writeonly buffer Corners
 {
-    InkCornerConstants constants;
+    uint corners[];
 };
 
 void main()
 {
     ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 size = ivec2(constants.grid_size);
+    ivec2 size = ivec2(globals.grid_size);
     if (any(greaterThanEqual(cell, size))) {
         return;
     }

@@ -185,20 +185,22 @@ float was_seen(Before before)
     return before.depth < 0.0 || is_hidden ? 0.0 : 1.0;
 }
 
-// Place of a position between the middles of cells, and the cell's word of ink_corners.comp.
+// A position in units of cells, counted from the middle of the first cell, and clamped to the middles of the
+// outermost cells.
 vec2 place_between(vec2 grid)
 {
     return clamp(grid - 0.5, vec2(0.0), vec2(globals.grid_size) - 1.0);
 }
 
+// The word of ink_corners.comp for the four cells around a position.
 uint corners_at(vec2 grid)
 {
     ivec2 cell = ivec2(place_between(grid));
     return texelFetch(corner_texels, cell.y * int(globals.grid_size.x) + cell.x).x;
 }
 
-// Ink that the drawing gives at a position, interpolated between cells. When the covered area nears its
-// budget, fewer spots give ink, each spot at full strength.
+// Ink that the drawing gives at a position, interpolated between the four cells of `word`. When the covered
+// area nears its budget, fewer spots give ink, each spot at full strength.
 float given_at(vec2 grid, uint word, float room)
 {
     vec2 share = fract(place_between(grid));
