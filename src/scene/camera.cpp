@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -268,26 +269,19 @@ double fitting_half_height(const Bounds& seen, double aspect)
     return std::max(half.y / (1.0 - rim), half.x / (aspect - rim));
 }
 
-/// Returns the points of the subject in camera space, relative to the centre of the subject. Two points if
-/// the subject has no extent.
+/// Returns the points of the subject in camera space, relative to the centre of the subject.
 std::vector<glm::dvec3> subject_points(const Scene& scene, const ScenePose& pose, const Subject& subject,
                                        const ViewAxes& axes)
 {
     const glm::dvec3 origin = subject.bounds().center();
     std::vector<glm::dvec3> points;
-    Bounds extent;
     visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
         for (const glm::dvec3& position : posed.positions) {
-            if (subject.holds_vertex(position)) {
+            if (subject.holds_vertex(position))
                 points.push_back(axes.of(position - origin));
-                extent.extend(points.back());
-            }
         }
     });
-    const double least = std::max({1e-12 * glm::length(origin), 1e-6 * subject.bounds().radius(), 1e-9});
-    if (extent.radius() < least)
-        return {extent.center() - least, extent.center() + least};
-    return points;
+    return stand_in_points(points, subject, axes).value_or(std::move(points));
 }
 
 Bounds bounds_of(const std::vector<glm::dvec3>& points)

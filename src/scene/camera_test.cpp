@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -10,7 +11,9 @@
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/shapes.hpp>
+#include <estampe/views.hpp>
 
+#include "scene/framing.hpp"
 #include "scene/pose.hpp"
 
 namespace estampe {
@@ -110,6 +113,32 @@ TEST(Framing, SurvivesAPointAndNothing)
     EXPECT_GT(camera.near_m, 0.0);
     const Camera nothing = framing_camera(Scene{}, pose_scene(Scene{}, 0.0), 1.5);
     EXPECT_GT(glm::distance(nothing.eye, nothing.target), 0.0);
+}
+
+TEST(Framing, StandsBackFromPointsThatHideEachOther)
+{
+    const Window window{.side = 0.3, .top = 0.2, .bottom = 0.2};
+    const std::vector<glm::dvec3> line{{-2.0, 0.5, 1.0}, {-2.0, 0.5, 5.0}};
+    const glm::dvec3 eye = centre_eye(line, window, fit_eye(line, window));
+    EXPECT_NEAR(eye.x, -2.0, 1e-12);
+    EXPECT_NEAR(eye.y, 0.5, 1e-12);
+    EXPECT_NEAR(eye.z, 0.8, 1e-12) << "a twentieth of their depth";
+}
+
+TEST(Framing, FramesWhatHasLeftThePlaceItWasChosenAt)
+{
+    // The subject is chosen at time 0; by then this floor and the box on it stand far below.
+    Primitive stage = shapes::box({1.0F, 1.0F, 1.0F});
+    shapes::append(stage, shapes::box({20.0F, 0.01F, 20.0F}), glm::mat4(1.0F));
+    const Scene scene = placed_scene(stage);
+    ScenePose pose = pose_scene(scene, 0.0);
+    pose.world_from_node[0][3] = {100.0, -300.0, 0.0, 1.0};
+    for (const Camera& camera :
+         {framing_camera(scene, pose, 1.5), view_camera(scene, pose, 1.5, direction_of(NamedView::front))}) {
+        EXPECT_NEAR(camera.target.x, 100.0, 2.0);
+        EXPECT_NEAR(camera.target.y, -300.0, 2.0);
+        EXPECT_GT(glm::distance(camera.eye, camera.target), 20.0);
+    }
 }
 
 /// A box whose triangles face inwards.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "scene/pose.hpp"
@@ -42,9 +43,16 @@ double framed_half_height(double aspect)
 /// Therefore a single pass over the points gives the exact result.
 glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window)
 {
+    // Without a least distance, points that lie one behind the other would draw the eye into the first of
+    // them.
+    constexpr double least_distance = 0.05; // as a share of the depth of all points
     constexpr double lowest = -std::numeric_limits<double>::infinity();
     double left = lowest, right = lowest, top = lowest, bottom = lowest;
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = lowest;
     for (const glm::dvec3& p : points) {
+        nearest = std::min(nearest, p.z);
+        farthest = std::max(farthest, p.z);
         right = std::max(right, p.x - window.side * p.z);
         left = std::max(left, -p.x - window.side * p.z);
         top = std::max(top, p.y - window.top * p.z);
@@ -52,7 +60,7 @@ glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window)
     }
     const double z_wide = -(left + right) / (2.0 * window.side);
     const double z_tall = -(top + bottom) / (window.top + window.bottom);
-    const double z = std::min(z_wide, z_tall);
+    const double z = std::min({z_wide, z_tall, nearest - least_distance * (farthest - nearest)});
     const double lowest_y = top + window.top * z;
     const double highest_y = -bottom - window.bottom * z;
     return {0.5 * (right - left), 0.5 * (lowest_y + highest_y), z};
@@ -107,6 +115,35 @@ bool Subject::has_floor_at(const glm::dvec3& position) const
 {
     return has_floor_ && position.x >= bounds_.min.x && position.x <= bounds_.max.x &&
            position.z >= bounds_.min.z && position.z <= bounds_.max.z;
+}
+
+namespace {
+
+/// Smallest extent in metres of a subject that can be framed: any smaller is lost in the rounding of its
+/// place.
+double least_extent(const Bounds& bounds)
+{
+    return std::max({1e-12 * glm::length(bounds.center()), 1e-6 * bounds.radius(), 1e-9});
+}
+
+} // namespace
+
+std::optional<std::vector<glm::dvec3>> stand_in_points(const std::vector<glm::dvec3>& points,
+                                                       const Subject& subject, const ViewAxes& axes)
+{
+    const Bounds& bounds = subject.bounds();
+    std::vector<glm::dvec3> corners;
+    for (int corner = 0; points.empty() && corner < 8; ++corner) {
+        const glm::dvec3 side{(corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2 & 1) - 0.5};
+        corners.push_back(axes.of(side * (bounds.max - bounds.min)));
+    }
+    Bounds extent;
+    for (const glm::dvec3& point : points.empty() ? corners : points)
+        extent.extend(point);
+    const double least = least_extent(bounds);
+    if (extent.radius() < least)
+        return std::vector{extent.center() - least, extent.center() + least};
+    return points.empty() ? std::optional(std::move(corners)) : std::nullopt;
 }
 
 namespace {
@@ -376,20 +413,15 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
                         .bottom = half_height - (framed_margin + shadow_room) * shorter};
 
     ViewPoints points = view_points(scene, pose, axes, analysis, sun, subject);
-    // A subject without extent gets a small positive size, so that the divisions below are valid.
-    const double least = std::max({1e-12 * glm::length(bounds.center()), 1e-6 * bounds.radius(), 1e-9});
-    Bounds extent;
-    for (const glm::dvec3& point : points.subject)
-        extent.extend(point);
-    if (extent.radius() < least)
-        points = {.subject = {extent.center() - least, extent.center() + least}};
+    if (auto standing_in = stand_in_points(points.subject, subject, axes))
+        points = {.subject = std::move(*standing_in)};
     const glm::dvec3 eye = framed_eye(points, window);
 
     Camera camera;
     double nearest = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points.subject)
         nearest = std::min(nearest, point.z - eye.z);
-    const double span = 2.0 * std::max(bounds.radius(), least);
+    const double span = 2.0 * std::max(bounds.radius(), least_extent(bounds));
     camera.eye = bounds.center() + axes.world(eye);
     camera.target = camera.eye - axes.forward * eye.z;
     camera.vertical_fov_rad = 2.0 * std::atan(half_height);

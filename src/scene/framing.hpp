@@ -26,8 +26,8 @@ struct Window {
 /// angle, so that perspective does not stretch objects near the sides.
 [[nodiscard]] double framed_half_height(double aspect);
 
-/// Returns the eye position closest to `points` from which all points are inside the window. `points` are in
-/// camera space, see ViewAxes::of().
+/// Returns the eye position closest to `points` from which all points are inside the window, but not closer
+/// than a twentieth of their depth. `points` are in camera space, see ViewAxes::of().
 [[nodiscard]] glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window);
 
 /// Moves the eye sideways until the projected points are centred in the window.
@@ -68,5 +68,12 @@ private:
     bool has_floor_ = false;
     double slack_m_ = 0.0;
 };
+
+/// Returns the points to frame in place of `points`, which are those of the subject relative to its
+/// centre in camera space, if they have no extent: a small box about a single place, or the corners of the
+/// bounds where none of its vertices is left, as when motion has taken all of them out of the part that was
+/// chosen at rest. Nothing if `points` can be framed.
+[[nodiscard]] std::optional<std::vector<glm::dvec3>>
+stand_in_points(const std::vector<glm::dvec3>& points, const Subject& subject, const ViewAxes& axes);
 
 } // namespace estampe
