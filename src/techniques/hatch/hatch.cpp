@@ -163,9 +163,10 @@ namespace {
 gpu::ImageId add_groups(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
                         gpu::ImageId darkness, gpu::BufferId& tiles)
 {
-    const uint64_t pixels = uint64_t{in.size_px.x} * in.size_px.y;
-    gpu::BufferId parents = graph.buffer("hatch/parents", {.size_bytes = sizeof(uint32_t) * pixels});
-    gpu::BufferId areas = graph.buffer("hatch/areas", {.size_bytes = sizeof(shared::GroupArea) * pixels});
+    gpu::ImageDesc per_area{.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32ui};
+    gpu::ImageId parents = graph.image("hatch/parents", per_area);
+    per_area.layers = 1U + static_cast<uint32_t>(style.groups);
+    gpu::ImageId areas = graph.image("hatch/areas", per_area);
     const float pixels_per_mm2 = in.pixels_per_mm * in.pixels_per_mm;
     const shared::GroupConstants constants{.size_px = in.size_px,
                                            .count = static_cast<uint32_t>(style.groups),

@@ -127,13 +127,6 @@ struct GroupConstants {
     float smooth_px; // radius over which the darkness is smoothed before it is grouped
 };
 
-// An area of connected pixels of one tone.
-struct GroupArea {
-    uint pixels; // number of pixels; large areas are not counted to the end
-    // Only for small areas: length of the border with areas that are not small, for each tone beyond.
-    uint borders[most_groups];
-};
-
 struct LineConstants {
     uvec2 size_px;
     float width_px;
