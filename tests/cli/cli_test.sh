@@ -230,6 +230,8 @@ for dpi in 50 73 151; do
     expect_success render scene.glb -o page.svg --page A4 --landscape --dpi $dpi --device cpu
     grep -q 'width="297mm" height="210mm" viewBox="0 0 297 210"' page.svg || wrong "page.svg at $dpi dpi is not A4: $(sed -n 4p page.svg)"
 done
+# Grouped tones need the most memory for each pixel; no buffer may grow beyond what a driver binds.
+expect_success render scene.glb -o page.png --page A4 --dpi 300 --style comic --device cpu
 rm -f page.png tiled.png page.svg
 # Sides, and the axis that points up
 for side in front back left right top bottom isometric three-quarter; do
