@@ -465,14 +465,14 @@ private:
     bool is_there_ = false;
 };
 
-JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job,
+JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job, const std::string& jobs_file,
                    const RendererOptions& device)
 {
     const Clock::time_point start = Clock::now();
     JobResult result{.status = JobResult::Status::failed};
     try {
         const RenderCommand command = command_of(job, device);
-        check_outputs(command);
+        check_outputs(command, {command.draw.scene, command.draw.lightmap, jobs_file});
         const Scene& scene = scenes.ensure(command.draw);
         if (command.film) {
             draw_film(renderer, scene, command);
@@ -522,7 +522,7 @@ void run(const BatchCommand& command)
     for (size_t i = 0; i < jobs.size() && !was_told_to_stop(); ++i) {
         progress.show(static_cast<double>(i) / static_cast<double>(jobs.size()),
                       fmt::format("job {} of {}", i + 1, jobs.size()));
-        results[i] = draw_job(renderer, scenes, jobs[i], command.device);
+        results[i] = draw_job(renderer, scenes, jobs[i], command.jobs, command.device);
         progress.clear();
         if (results[i].status == JobResult::Status::failed) {
             print_warnings({fmt::format("job {}: {}", jobs[i].number, results[i].error)});

@@ -102,6 +102,7 @@ void run(const GraphCommand& command)
     check_output(draw.output, {draw.scene, draw.lightmap});
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
+    check_output(draw.output, input_files(draw, scene));
     const Index animation = choose_animation(draw, scene);
     const Camera camera = choose_camera(draw, scene, animation);
     Renderer renderer(draw.device);

@@ -216,6 +216,7 @@ Scene load_scene_of(const DrawOptions& draw)
         refuse_variant(draw);
         Scene scene{.name = draw.scene, .materials = {Material{}}};
         scene.terrain = Terrain(load_terrain(draw.scene));
+        scene.files = {draw.scene};
         return scene;
     }
     Scene scene = load_file_of(draw);
@@ -227,6 +228,24 @@ Scene load_scene_of(const DrawOptions& draw)
         lift(scene, scene.terrain->sample(0.0, 0.0, draw.time_s).height_m);
     }
     return scene;
+}
+
+std::vector<std::filesystem::path> input_files(const DrawOptions& draw, const Scene& scene)
+{
+    std::vector<std::filesystem::path> files = scene.files;
+    for (const std::string& file : {draw.terrain, draw.lightmap}) {
+        if (!file.empty()) {
+            files.emplace_back(file);
+        }
+    }
+    const auto add = [&](const std::vector<std::filesystem::path>& more) {
+        files.insert(files.end(), more.begin(), more.end());
+    };
+    if (scene.terrain) {
+        add(scene.terrain->files());
+    }
+    add(draw.style.files());
+    return files;
 }
 
 bool load_the_same(const DrawOptions& a, const DrawOptions& b)

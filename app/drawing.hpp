@@ -4,8 +4,10 @@
 // Functions for the first steps of every command that draws. They load the scene, choose animation and
 // camera, and check that something is in view.
 
+#include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <estampe/renderer.hpp>
 
@@ -16,6 +18,10 @@ namespace estampe::app {
 /// Loads the scene that `draw` names, and puts the scene on a terrain if `draw` names one. A terrain file
 /// alone becomes a scene with only a terrain. Throws Error as load_scene() and load_terrain() do.
 [[nodiscard]] Scene load_scene_of(const DrawOptions& draw);
+
+/// Returns the files from which the pictures of `draw` are made: those of its scene, its terrain and its
+/// lightmap, and those that its style names.
+[[nodiscard]] std::vector<std::filesystem::path> input_files(const DrawOptions& draw, const Scene& scene);
 
 /// Returns whether load_scene_of() returns equal scenes for `a` and `b`.
 [[nodiscard]] bool load_the_same(const DrawOptions& a, const DrawOptions& b);

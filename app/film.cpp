@@ -18,6 +18,7 @@
 #include <estampe/error.hpp>
 #include <estampe/film.hpp>
 
+#include "core/file.hpp"
 #include "core/hash.hpp"
 #include "core/long_jobs.hpp"
 #include "drawing.hpp"
@@ -27,6 +28,7 @@
 #include "options.hpp"
 #include "piped_scene.hpp"
 #include "process.hpp"
+#include "render.hpp"
 #include "scene_details.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
 #include "worlds.hpp"
@@ -206,8 +208,30 @@ FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene
         return film;
     }
     const double length_s = film.turntable ? turn_s : moving_s(draw, film.flies, scene, animation);
-    film.last = std::max(1U, static_cast<uint32_t>(std::lround(length_s * film.frames_per_s)));
+    const double frames = std::round(length_s * film.frames_per_s);
+    if (!(frames <= most_frames)) {
+        throw Error(fmt::format("the film would be {:.0f} s long, {:.0f} frames; a film has at most {}",
+                                length_s, frames, most_frames),
+                    draw.scene, "give --frames, such as --frames 240");
+    }
+    film.last = std::max(1U, static_cast<uint32_t>(frames));
     return film;
+}
+
+/// Adds the content of a file, or of all files of a folder and its folders.
+void add_content(Hash& hash, const std::filesystem::path& input)
+{
+    std::vector<std::filesystem::path> files{input};
+    if (std::filesystem::is_directory(input)) {
+        files.assign(std::filesystem::recursive_directory_iterator(input), {});
+        std::ranges::sort(files);
+    }
+    for (const std::filesystem::path& file : files) {
+        if (std::filesystem::is_regular_file(file)) {
+            hash.add_text(file.filename().string());
+            hash.add_all(read_file(file));
+        }
+    }
 }
 
 /// Returns a hash of everything that the film's frames depend on.
@@ -219,12 +243,8 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add_text(draw.style.to_toml());
     hash.add_text(renderer.device().name + renderer.device().driver + name_of(renderer.raster_path()));
     hash.add_text(draw.scene);
-    const std::string scene_path = scene_file(draw.scene, draw.input_format).string();
-    for (const std::string& file : {scene_path, draw.terrain, draw.lightmap}) {
-        if (!file.empty() && !(file == draw.scene && world_of(file) != nullptr)) {
-            hash.add(std::filesystem::file_size(file));
-            hash.add(std::filesystem::last_write_time(file).time_since_epoch().count());
-        }
+    for (const std::filesystem::path& input : input_files(draw, scene)) {
+        add_content(hash, input);
     }
     hash.add(draw.page.width);
     hash.add(draw.page.height);
@@ -292,6 +312,7 @@ public:
     /// Returns the number of the next frame to draw.
     [[nodiscard]] uint32_t recall()
     {
+        frames_.remove_left_parts();
         const std::optional<FilmState> state = film_.resume ? frames_.state(film_.first) : std::nullopt;
         if (!state) {
             if (film_.resume) {
@@ -480,6 +501,7 @@ void print_cost(const FilmCost& cost, uint32_t frames, double whole_s)
 
 FilmCost draw_film(Renderer& renderer, const Scene& scene, const RenderCommand& command)
 {
+    check_outputs(command, input_files(command.draw, scene));
     const Index animation = choose_animation(command.draw, scene);
     const RenderCommand timed = with_begin(command, scene, animation);
     const DrawOptions& draw = timed.draw;

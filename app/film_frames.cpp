@@ -11,6 +11,8 @@
 
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
+#include "core/text.hpp"
+#include "options.hpp"
 
 namespace estampe::app {
 namespace {
@@ -31,6 +33,8 @@ std::string numbered(const std::string& pattern, uint32_t number)
     return field.prefix().str() + digits + field.suffix().str();
 }
 
+constexpr const char* state_name = "film-state";
+
 /// Header of the file with a film's state.
 struct StateHead {
     std::array<char, 8> signature{'e', 's', 't', 'f', 'i', 'l', 'm', '1'};
@@ -45,6 +49,31 @@ bool is_numbered(const std::string& name)
     const std::string file = std::filesystem::path(name).filename();
     const auto begin = std::sregex_iterator(file.begin(), file.end(), number_field());
     return std::distance(begin, std::sregex_iterator()) == 1;
+}
+
+bool is_frame_of(const std::string& pattern, const std::filesystem::path& file)
+{
+    const std::filesystem::path target(pattern);
+    const auto folder_of = [](const std::filesystem::path& path) {
+        return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    };
+    std::error_code problem;
+    if (!std::filesystem::equivalent(folder_of(target), folder_of(file), problem)) {
+        return false;
+    }
+    const std::string name = file.filename().string();
+    const std::string form = target.filename().string();
+    std::smatch field;
+    std::regex_search(form, field, number_field());
+    const auto before = static_cast<size_t>(field.prefix().length());
+    const auto behind = static_cast<size_t>(field.suffix().length());
+    if (name.size() <= before + behind) {
+        return false;
+    }
+    const std::string_view digits =
+        trimmed(std::string_view(name).substr(before, name.size() - before - behind), " ");
+    const std::optional<uint32_t> number = number_from<uint32_t>(digits);
+    return number && numbered(form, *number) == name;
 }
 
 FilmFrames::FilmFrames(const std::string& output, uint64_t job) : is_of_film_(!is_numbered(output)), job_(job)
@@ -62,7 +91,7 @@ std::filesystem::path FilmFrames::path_of(uint32_t number) const
 
 std::optional<FilmState> FilmFrames::state(uint32_t first) const
 {
-    const std::filesystem::path path = folder_ / "film-state";
+    const std::filesystem::path path = folder_ / state_name;
     if (!std::filesystem::exists(path)) {
         return std::nullopt;
     }
@@ -72,9 +101,8 @@ std::optional<FilmState> FilmFrames::state(uint32_t first) const
     if (bytes.size() >= sizeof head) {
         std::memcpy(&head, bytes.data(), sizeof head);
     }
-    constexpr uint64_t most_frames = 1000000;
     if (bytes.size() < sizeof head || head.signature != own.signature || head.next < first ||
-        head.next > most_frames + 1) {
+        head.next > uint64_t{most_frames} + 1) {
         throw Error("is damaged", path.string(), "leave out --resume to begin anew");
     }
     if (head.job != job_) {
@@ -101,7 +129,7 @@ void FilmFrames::save_state(const FilmState& state) const
     std::vector<std::byte> bytes(sizeof head);
     std::memcpy(bytes.data(), &head, sizeof head);
     bytes.insert(bytes.end(), state.memory.begin(), state.memory.end());
-    write_file_atomically(folder_ / "film-state", bytes);
+    write_file_atomically(folder_ / state_name, bytes);
 }
 
 void FilmFrames::make_folder() const
@@ -114,9 +142,16 @@ void FilmFrames::make_folder() const
     }
 }
 
+void FilmFrames::remove_left_parts() const
+{
+    estampe::remove_left_parts(folder_, [this](const std::string& name) {
+        return name == state_name || is_frame_of((folder_ / pattern_).string(), folder_ / name);
+    });
+}
+
 void FilmFrames::forget() const
 {
-    std::filesystem::remove(folder_ / "film-state");
+    std::filesystem::remove(folder_ / state_name);
     if (!is_of_film_) {
         return;
     }

@@ -21,6 +21,9 @@ namespace estampe::app {
 /// Returns whether a file name contains one number field, such as "%d" or "%04d".
 [[nodiscard]] bool is_numbered(const std::string& name);
 
+/// Returns whether `file` is a frame of the film with the numbered name `pattern`, such as "folder/%04d.png".
+[[nodiscard]] bool is_frame_of(const std::string& pattern, const std::filesystem::path& file);
+
 /// State of a film that was stopped, from which it can be continued.
 struct FilmState {
     uint32_t next = 1;             ///< Number of the next frame to draw
@@ -47,6 +50,9 @@ public:
 
     /// Saves the film's state; the files of all frames up to this state must exist. Throws Error on failure.
     void save_state(const FilmState& state) const;
+
+    /// Deletes temporary files of frames that a killed program left.
+    void remove_left_parts() const;
 
     /// Creates the folder of the frames. Call this before the first save(). Throws Error when the folder
     /// cannot be created.

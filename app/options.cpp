@@ -142,8 +142,6 @@ PageSize PageOptions::read() const
 
 namespace {
 
-constexpr uint32_t most_frames = 1000000;
-
 /// Returns the frame number that `text` contains, 1 to most_frames. Returns 0 if `text` is not a number in
 /// the allowed range.
 uint32_t frame_number(std::string_view text)

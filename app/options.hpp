@@ -38,6 +38,9 @@ struct PageSize {
     std::optional<double> dots_per_inch; ///< Resolution of a page in print, stored in the file
 };
 
+/// Largest number of a film's frame.
+inline constexpr uint32_t most_frames = 1000000;
+
 /// Settings of a film, from the command line.
 struct FilmChoice {
     uint32_t first = 1;

@@ -184,17 +184,22 @@ DrawnPicture draw_picture(Renderer& renderer, const Camera& camera, const Render
     return picture;
 }
 
-void check_outputs(const RenderCommand& command)
+void check_outputs(const RenderCommand& command, const std::vector<std::filesystem::path>& inputs)
 {
     const DrawOptions& draw = command.draw;
     const PictureChoice& choice = command.picture;
-    const std::vector<std::filesystem::path> inputs{draw.scene, draw.lightmap};
     if (draw.output != standard_output) {
         // The folder of numbered frames may be missing at this point: it is created when the film is drawn.
         const std::filesystem::path folder = std::filesystem::path(draw.output).parent_path();
         const bool makes_folder =
             is_numbered(draw.output) && !folder.empty() && !std::filesystem::exists(folder);
         check_output(makes_folder ? folder : std::filesystem::path(draw.output), inputs);
+        for (const std::filesystem::path& input : inputs) {
+            if (is_numbered(draw.output) && is_frame_of(draw.output, input)) {
+                throw Error("the film would overwrite an input", input.string(),
+                            "choose another name for -o");
+            }
+        }
     }
     if (!command.motion.empty()) {
         check_output(command.motion, inputs);
@@ -386,6 +391,7 @@ void write_strokes(Renderer& renderer, const Camera& camera, const Style& style,
 
 void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand& command)
 {
+    check_outputs(command, input_files(command.draw, scene));
     check_layer(command, scene);
     tell_of_time(command.draw, scene);
     const Index animation = choose_animation(command.draw, scene);
@@ -406,7 +412,7 @@ void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand&
 void run(const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
-    check_outputs(command);
+    check_outputs(command, {draw.scene, draw.lightmap});
     if (command.film) {
         draw_film(command);
         return;
@@ -418,6 +424,7 @@ void run(const RenderCommand& command)
     std::future<Renderer> opening = std::async(launch_if_possible, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
+    check_outputs(command, input_files(draw, scene));
     check_layer(command, scene);
     if (!draw.load.up) {
         print_notes(up_axis_notes(scene, draw.scene));

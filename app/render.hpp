@@ -3,8 +3,10 @@
 
 // `estampe render` of a single picture: draws it and writes its files.
 
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/image_codec.hpp"
 #include "options.hpp"
@@ -19,9 +21,9 @@ struct DrawnPicture {
     std::optional<LayeredImage> layers;
 };
 
-/// Checks that the command's files can be written at their paths. Throws Error otherwise. Does not change any
-/// file.
-void check_outputs(const RenderCommand& command);
+/// Checks that the command's files can be written at their paths, and that none of them is one of `inputs`.
+/// Throws Error otherwise. Does not change any file.
+void check_outputs(const RenderCommand& command, const std::vector<std::filesystem::path>& inputs);
 
 /// Draws a picture in the forms that the command's file format needs. `style` replaces the command's own
 /// style.

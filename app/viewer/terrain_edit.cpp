@@ -455,11 +455,8 @@ bool TerrainEdit::save(const std::filesystem::path& path)
 std::vector<std::filesystem::path> TerrainEdit::files() const
 {
     std::vector<std::filesystem::path> files{draft_.name};
-    for (const terrain::HeightTexture& texture : terrain_.program().textures) {
-        if (!texture.is_mask && !texture.sand) {
-            files.push_back(terrain_.description().folder / texture.name);
-        }
-    }
+    const std::vector<std::filesystem::path> pictures = terrain_.files();
+    files.insert(files.end(), pictures.begin(), pictures.end());
     return files;
 }
 

@@ -328,6 +328,9 @@ struct Scene {
     std::vector<std::string> extensions_used;
     /// Extensions that the file uses and that load_scene() does not support.
     std::vector<std::string> extensions_ignored;
+    /// Files that the scene was read from, each once: the file that load_scene() was given, then those that
+    /// it names and that were found, such as buffers, material libraries and pictures.
+    std::vector<std::filesystem::path> files;
     std::vector<std::string> missing_files; ///< Images that the file refers to but that could not be opened
     /// Metres per unit of length in the file, if the file gives this factor. The scene itself is in metres.
     std::optional<double> file_unit_m;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -51,6 +52,10 @@ public:
 
     /// Writes all parameters of the style as TOML. load() reads the TOML back to an equal style.
     [[nodiscard]] std::string to_toml() const;
+
+    /// Returns the files that the style's parameters name, such as brushes and maps: files, or folders of
+    /// files. The files need not exist.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
     /// Returns the direction of the style's sun, for framing_camera(). Throws Error if the style's date is
     /// not valid.

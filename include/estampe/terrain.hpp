@@ -146,6 +146,9 @@ public:
     [[nodiscard]] std::optional<glm::dvec3> hit(const glm::dvec3& from, const glm::dvec3& towards,
                                                 double reach_m, double time_s = 0.0) const;
 
+    /// Returns the pictures that the height graph reads.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const;
+
     /// Sets the content of the node `mask("name", ...)` of the height graph: `heights` has one number per
     /// texel, in rows along +x. The first row begins at the corner with the smallest x and z. The graph says
     /// how many texels a side has. Throws Error for an unknown name or a wrong number of texels. Earlier

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <iterator>
@@ -64,6 +65,60 @@ TEST(AtomicFile, a_name_may_be_as_long_as_the_disk_allows)
     const std::string name(255, 'a');
     write_file_atomically(folder / name, bytes_in("all"));
     EXPECT_EQ(text_in(folder / name), "all");
+}
+
+TEST(AtomicFile, a_link_stays_and_the_file_behind_it_is_replaced)
+{
+    const test::Folder folder;
+    std::filesystem::create_directory(folder / "far");
+    std::ofstream(folder / "far/a.txt") << "old";
+    std::filesystem::create_symlink("far/a.txt", folder / "link.txt");
+    std::filesystem::create_symlink("far/new.txt", folder / "dangling.txt");
+    write_file_atomically(folder / "link.txt", bytes_in("new"));
+    write_file_atomically(folder / "dangling.txt", bytes_in("first"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "dangling.txt"));
+    EXPECT_EQ(text_in(folder / "far/a.txt"), "new");
+    EXPECT_EQ(text_in(folder / "far/new.txt"), "first");
+}
+
+TEST(AtomicFile, permissions_of_the_old_file_stay)
+{
+    namespace fs = std::filesystem;
+    const test::Folder folder;
+    write_file_atomically(folder / "a.txt", bytes_in("old"));
+    const fs::perms secret = fs::perms::owner_read | fs::perms::owner_write;
+    ASSERT_NE(fs::status(folder / "a.txt").permissions(), secret);
+    fs::permissions(folder / "a.txt", secret);
+    write_file_atomically(folder / "a.txt", bytes_in("new"));
+    EXPECT_EQ(text_in(folder / "a.txt"), "new");
+    EXPECT_EQ(fs::status(folder / "a.txt").permissions(), secret);
+}
+
+TEST(AtomicFile, parts_that_a_killed_program_left_go)
+{
+    namespace fs = std::filesystem;
+    const test::Folder folder;
+    const auto make = [&](const std::string& name) {
+        std::ofstream(folder / name) << "half";
+        fs::last_write_time(folder / name, fs::file_time_type::clock::now() - std::chrono::minutes(1));
+    };
+    for (const char* const name :
+         {".a.png.part-x1Y2z3", ".b.png.part-x1Y2z3", ".a.png.part-toolong", "a.png.part-x1Y2z3"})
+        make(name);
+    fs::create_directory(folder / ".a.png.part-folder");
+    std::ofstream(folder / ".a.png.part-folder/within") << "half";
+    fs::last_write_time(folder / ".a.png.part-folder",
+                        fs::file_time_type::clock::now() - std::chrono::minutes(1));
+    const AtomicFile running = AtomicFile::file(folder / "a.png", bytes_in("half"));
+    fs::last_write_time(running.path(), fs::file_time_type::clock::now() - std::chrono::minutes(1));
+    check_output(folder / "a.png", {});
+    EXPECT_FALSE(fs::exists(folder / ".a.png.part-x1Y2z3"));
+    EXPECT_FALSE(fs::exists(folder / ".a.png.part-folder"));
+    EXPECT_TRUE(fs::exists(folder / ".b.png.part-x1Y2z3")) << "belongs to another output";
+    EXPECT_TRUE(fs::exists(folder / ".a.png.part-toolong"));
+    EXPECT_TRUE(fs::exists(folder / "a.png.part-x1Y2z3"));
+    EXPECT_TRUE(fs::exists(running.path())) << "is being written";
 }
 
 TEST(AtomicFile, nowhere_to_write)

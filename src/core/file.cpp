@@ -6,14 +6,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -45,12 +48,31 @@ std::string reason_of(int error)
     return std::generic_category().message(error);
 }
 
-/// Returns a hidden file name beside `target`, short enough for every target whose own name is not too long.
-std::string name_beside(const std::filesystem::path& target)
+/// Returns the name of `target` as temporary files contain it: short enough for every file whose own name is
+/// not too long.
+std::string part_name(const std::filesystem::path& target)
 {
     constexpr size_t longest = 200;
-    const std::string name = target.filename().string().substr(0, longest);
-    return (target.parent_path() / fmt::format(".{}.part-XXXXXX", name)).string();
+    return target.filename().string().substr(0, longest);
+}
+
+/// Returns the pattern of a hidden file name beside `target`.
+std::string name_beside(const std::filesystem::path& target)
+{
+    return (target.parent_path() / fmt::format(".{}.part-XXXXXX", part_name(target))).string();
+}
+
+/// Returns the path of the file that is replaced if `target` is written: the file to which a symbolic link
+/// refers, which need not exist, or else `target` itself.
+std::filesystem::path behind_links(const std::filesystem::path& target)
+{
+    constexpr int most_links = 40; // as in Linux; links may refer to each other
+    std::filesystem::path real = target;
+    std::error_code failure;
+    for (int links = 0; links < most_links && std::filesystem::is_symlink(real, failure); ++links) {
+        real = real.parent_path() / std::filesystem::read_symlink(real, failure);
+    }
+    return real;
 }
 
 [[noreturn]] void fail_to_begin(const std::filesystem::path& target, int error)
@@ -78,19 +100,22 @@ void write_all(const std::filesystem::path& path, std::span<const std::byte> byt
 
 } // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path target, std::filesystem::path path)
-    : target_(std::move(target)), path_(std::move(path))
+AtomicFile::AtomicFile(std::filesystem::path target, std::filesystem::path path, int lock)
+    : target_(std::move(target)), path_(std::move(path)), lock_(lock)
 {
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
-    : target_(std::move(other.target_)), path_(std::move(other.path_))
+    : target_(std::move(other.target_)), path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1))
 {
     other.path_.clear();
 }
 
 AtomicFile::~AtomicFile()
 {
+    if (lock_ >= 0) {
+        close(lock_);
+    }
     if (path_.empty()) {
         return;
     }
@@ -106,18 +131,30 @@ AtomicFile AtomicFile::file(const std::filesystem::path& target)
     if (std::filesystem::is_directory(target, failure)) {
         throw Error("is a folder", target.string(), "give the name of a file");
     }
-    std::string name = name_beside(target);
+    const std::filesystem::path real = behind_links(target);
+
+    struct stat replaced {};
+
+    const bool replaces = stat(real.c_str(), &replaced) == 0;
+    if (replaces && access(real.c_str(), W_OK) != 0) {
+        throw Error(fmt::format("cannot write: {}", reason_of(errno)), target.string(),
+                    "choose another name for -o");
+    }
+    std::string name = name_beside(real);
     const std::lock_guard lock(registry().guard);
-    const int descriptor = mkstemp(name.data());
+    const int descriptor = mkostemp(name.data(), O_CLOEXEC);
     if (descriptor < 0) {
         fail_to_begin(target, errno);
     }
+    (void)flock(descriptor, LOCK_EX | LOCK_NB);
     const mode_t mask = umask(0);
     umask(mask);
-    fchmod(descriptor, 0666 & ~mask);
-    close(descriptor);
+    if (replaces && (replaced.st_uid != geteuid() || replaced.st_gid != getegid())) {
+        static_cast<void>(fchown(descriptor, replaced.st_uid, replaced.st_gid) == 0);
+    }
+    fchmod(descriptor, replaces ? replaced.st_mode & 07777U : 0666 & ~mask);
     registry().paths.insert(name);
-    return {target, name};
+    return {real, name, descriptor};
 }
 
 AtomicFile AtomicFile::file(const std::filesystem::path& target, std::span<const std::byte> bytes)
@@ -134,8 +171,12 @@ AtomicFile AtomicFile::folder(const std::filesystem::path& target)
     if (mkdtemp(name.data()) == nullptr) {
         fail_to_begin(target, errno);
     }
+    const int descriptor = open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        (void)flock(descriptor, LOCK_EX | LOCK_NB);
+    }
     registry().paths.insert(name);
-    return {target, name};
+    return {target, name, descriptor};
 }
 
 void AtomicFile::publish()
@@ -148,6 +189,39 @@ void AtomicFile::publish()
     }
     registry().paths.erase(path_);
     path_.clear();
+}
+
+void remove_left_parts(const std::filesystem::path& folder,
+                       const std::function<bool(const std::string&)>& is_wanted)
+{
+    constexpr std::string_view mark = ".part-";
+    constexpr size_t random_letters = 6;
+    std::error_code failure;
+    std::filesystem::directory_iterator entries(folder.empty() ? "." : folder, failure);
+    for (; !failure && entries != std::filesystem::directory_iterator(); entries.increment(failure)) {
+        const std::string name = entries->path().filename().string();
+        const size_t end = name.rfind(mark);
+        if (name.empty() || name.front() != '.' || end == std::string::npos || end < 2 ||
+            name.size() != end + mark.size() + random_letters || !is_wanted(name.substr(1, end - 1))) {
+            continue;
+        }
+        const int descriptor = open(entries->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        if (descriptor < 0) {
+            continue;
+        }
+        // A program locks its file a moment after it has created the file.
+        constexpr time_t just_created_s = 2;
+
+        struct stat status {};
+
+        const bool is_old =
+            fstat(descriptor, &status) == 0 && std::time(nullptr) - status.st_mtime > just_created_s;
+        if (is_old && flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+            std::error_code problem;
+            std::filesystem::remove_all(entries->path(), problem);
+        }
+        close(descriptor);
+    }
 }
 
 void remove_all_pending() noexcept
@@ -258,6 +332,9 @@ void check_output(const std::filesystem::path& output, const std::vector<std::fi
             throw Error("the output would overwrite an input", output.string(), "choose another name for -o");
         }
     }
+    const std::filesystem::path real = behind_links(output);
+    const std::string part_of = part_name(real);
+    remove_left_parts(real.parent_path(), [&](const std::string& name) { return name == part_of; });
     std::string probe = (folder / ".estampe-XXXXXX").string();
     const int file = mkstemp(probe.data());
     if (file < 0) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -15,10 +16,15 @@ namespace estampe {
 
 /// A file or folder that is written under a temporary name beside `target`. publish() renames it, so readers
 /// see either the old content or the complete new one. Without publish() the destructor deletes it.
+///
+/// If `target` is a symbolic link, the file that it refers to is replaced and the link stays. A file that
+/// replaces another has its permissions and, if the user may set them, its owner and group. The temporary
+/// file is locked (flock) while this object exists, so that remove_left_parts() can tell it from those of
+/// programs that were killed.
 class AtomicFile {
 public:
-    /// Creates an empty temporary file. Throws Error that names `target` if it is a folder, or if its folder
-    /// does not exist or is not writable.
+    /// Creates an empty temporary file. Throws Error that names `target` if it is a folder or a
+    /// write-protected file, or if its folder does not exist or is not writable.
     [[nodiscard]] static AtomicFile file(const std::filesystem::path& target);
 
     /// Creates a temporary file with the given bytes. Throws Error as the overload without bytes does, and if
@@ -43,11 +49,18 @@ public:
     void publish();
 
 private:
-    AtomicFile(std::filesystem::path target, std::filesystem::path path);
+    AtomicFile(std::filesystem::path target, std::filesystem::path path, int lock);
 
     std::filesystem::path target_;
     std::filesystem::path path_; ///< Temporary path; empty after publish() or after a move
+    int lock_;                   ///< File descriptor that holds the lock; -1 after a move
 };
+
+/// Deletes the temporary files and folders that earlier programs left in `folder` because they were killed,
+/// if `is_wanted` returns true for the name of the file that they were to become. Those of running programs
+/// stay, and those younger than a few seconds.
+void remove_left_parts(const std::filesystem::path& folder,
+                       const std::function<bool(const std::string&)>& is_wanted);
 
 /// Deletes the temporary files and folders of all threads, and blocks the creation of new ones. Only for a
 /// program that is about to end.
@@ -72,7 +85,7 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 
 /// Checks that a file can be written to `output`. Throws Error if the folder of `output` is missing or not
 /// writable, if `output` is a folder itself, or if `output` is one of the `inputs`. Changes nothing at
-/// `output`.
+/// `output`, but deletes what killed programs left beside it; see remove_left_parts().
 void check_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
 
 /// The user's cache folder: $XDG_CACHE_HOME, or ~/.cache. Empty if neither is an absolute path.

@@ -27,11 +27,11 @@ Scene without_images(const Scene& scene)
     // The structured binding lists all members of Scene, so that the compiler reports a new member that is
     // missing here. Images are not copied, because they may take most of the memory.
     const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
-                 frames_per_s, variants, terrain, used, ignored, missing, unit, warnings, cells, portals] =
-        scene;
+                 frames_per_s, variants, terrain, used, ignored, files, missing, unit, warnings, cells,
+                 portals] = scene;
     Scene copy{name,    {},      materials,  meshes,       nodes,    roots,   skins,
                lights,  cameras, animations, frames_per_s, variants, terrain, used,
-               ignored, missing, unit,       warnings,     cells,    portals};
+               ignored, files,   missing,    unit,         warnings, cells,   portals};
     for (const Texture& texture : textures) {
         copy.textures.push_back(
             {.name = texture.name, .image = {}, .wrap_u = texture.wrap_u, .wrap_v = texture.wrap_v});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Implements the public interface of styles and tonal art maps.
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <variant>
 
@@ -91,6 +92,11 @@ std::string Style::text(std::string_view key) const
                     "estampe --help-style all lists them");
     }
     return std::get<std::string>(*value);
+}
+
+std::vector<std::filesystem::path> Style::files() const
+{
+    return features::style_schema().files(*tables_);
 }
 
 std::string Style::to_toml() const

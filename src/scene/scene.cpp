@@ -148,6 +148,7 @@ Scene read(const std::filesystem::path& path)
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
 {
     Scene scene = read(path);
+    scene.files.insert(scene.files.begin(), path);
     if (!options.variant.empty()) {
         apply_variant(scene, options.variant);
     }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -199,6 +203,33 @@ std::string AnySchema::write_any(const void* values) const
         }
     }
     return text;
+}
+
+std::vector<std::filesystem::path> AnySchema::files_of_any(const void* values) const
+{
+    std::vector<std::filesystem::path> files;
+    const auto add = [&](const Parameter& parameter, const Value& value) {
+        const std::string* const text =
+            parameter.kind == Kind::file ? std::get_if<std::string>(&value) : nullptr;
+        if (text != nullptr && !text->empty() &&
+            std::ranges::find(parameter.choices, *text) == parameter.choices.end()) {
+            files.emplace_back(*text);
+        }
+    };
+    for (const Section& section : sections_) {
+        for (const Parameter& parameter : section.parameters) {
+            add(parameter, parameter.get(section.place.in(values)));
+        }
+    }
+    if (overrides_) {
+        for (const Override& change : *static_cast<const std::vector<Override>*>(overrides_->in(values))) {
+            const Found found = find(change.section + "." + change.key);
+            if (found.parameter != nullptr) {
+                add(*found.parameter, change.value);
+            }
+        }
+    }
+    return files;
 }
 
 std::string AnySchema::help(std::string_view section_name) const

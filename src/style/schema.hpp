@@ -4,6 +4,7 @@
 // The schema of a style: the list of all parameters, and functions that find, read and write style texts.
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -100,6 +101,7 @@ protected:
     void set_any(void* values, std::string_view assignment, const std::string& where) const;
     void apply_any(void* values, const Override& change) const;
     [[nodiscard]] std::string write_any(const void* values) const;
+    [[nodiscard]] std::vector<std::filesystem::path> files_of_any(const void* values) const;
 
     /// Member of the values that stores the overrides for single surfaces; none: overrides are not supported.
     std::optional<Place> overrides_;
@@ -175,6 +177,12 @@ public:
 
     /// Writes every parameter with its value, as a TOML text that reads back to equal values.
     [[nodiscard]] std::string to_toml(const Values& values) const { return write_any(&values); }
+
+    /// Returns the files that parameters and overrides name, without texts that are names of a choice.
+    [[nodiscard]] std::vector<std::filesystem::path> files(const Values& values) const
+    {
+        return files_of_any(&values);
+    }
 
 private:
     template <typename Member>

@@ -66,11 +66,32 @@ grep -q "goes on with frame $((at + 1))" said || wrong "begins anew: $(cat said)
 cmp whole.mp4 stopped.mp4 || wrong "a film in two runs is another"
 [[ ! -e stopped.mp4.partial ]] || wrong "frames are left"
 
+# A texture that changes between two runs
+printf 'mtllib painted.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3\n' >painted.obj
+printf 'newmtl paint\nmap_Kd painted.png\n' >painted.mtl
+"$estampe" render scene.glb -o painted.png --size 8x8 >/dev/null 2>&1
+paint() { status=0; "$estampe" render painted.obj --turntable --size 64x48 "$@" >said 2>&1 || status=$?; }
+paint -o painted.mp4 --frames 4000 &
+while [[ ! -e painted.mp4.partial/000002.png ]]; do
+    kill -0 $! 2>/dev/null || break
+    sleep 0.02
+done
+pkill -INT -P $! || true
+wait $! || true
+"$estampe" render scene.glb -o painted.png --size 9x9 >/dev/null 2>&1
+paint -o painted.mp4 --frames 4000 --resume
+says "drew something else"
+rm -rf painted.mp4 painted.mp4.partial
+
 # Numbered pictures, and the same frames wherever a range begins
 draw -o 'frames/%03d.png' --frames 3-5
 [[ "$(ls frames)" == "003.png"$'\n'"004.png"$'\n'"005.png" ]] || wrong "frames/: $(ls frames)"
 
 # Mistakes
+cp painted.png 07.png
+sed -i 's/painted.png/07.png/' painted.mtl
+paint -o '%02d.png' --frames 7
+says "the film would overwrite an input"
 draw -o 'none/none/%d.png' --frames 2
 says "no such folder"
 for range in 0 5-4 x 1- -3 1000001; do

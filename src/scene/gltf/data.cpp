@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <span>
 #include <string>
@@ -214,6 +215,24 @@ std::filesystem::path Data::file_of(const std::string& uri) const
         throw Error("cannot be read: the glTF came from memory", resource_name(uri));
     }
     return *folder_ / *relative;
+}
+
+std::vector<std::filesystem::path> Data::named_files() const
+{
+    std::vector<std::string> uris = other_uris_;
+    std::ranges::transform(document_.buffers, std::back_inserter(uris), &BufferSource::uri);
+    std::ranges::transform(document_.images, std::back_inserter(uris), &ImageSource::uri);
+    std::vector<std::filesystem::path> files;
+    for (const std::string& uri : uris) {
+        const auto relative = uri.empty() || is_data_uri(uri) ? std::nullopt : decode_relative_uri(uri);
+        std::error_code problem;
+        if (folder_ && relative && std::filesystem::is_regular_file(*folder_ / *relative, problem)) {
+            files.push_back(*folder_ / *relative);
+        }
+    }
+    std::ranges::sort(files);
+    files.erase(std::ranges::unique(files).begin(), files.end());
+    return files;
 }
 
 void Data::warn(const std::string& pointer, const std::string& what)

@@ -122,6 +122,12 @@ public:
     [[nodiscard]] std::vector<std::byte> resource(const std::string& uri) const;
     [[nodiscard]] std::string resource_name(const std::string& uri) const;
 
+    /// Adds a URI outside of `buffers` and `images` to the named files.
+    void add_named(const std::string& uri) { other_uris_.push_back(uri); }
+
+    /// Returns the files that the glTF names and that exist, each once.
+    [[nodiscard]] std::vector<std::filesystem::path> named_files() const;
+
     /// Subtracts `bytes` from the memory budget of this import. Throws Error when the budget is used up.
     void spend(uint64_t bytes, const std::string& pointer);
 
@@ -156,6 +162,7 @@ private:
     std::vector<std::span<const std::byte>> buffers_;
     std::vector<std::span<const std::byte>> views_;
     uint64_t budget_bytes_ = 0;
+    std::vector<std::string> other_uris_; ///< URIs of files outside of the document's buffers and images
     std::vector<std::string> warnings_;
     size_t warning_count_ = 0;
 };

@@ -11,6 +11,7 @@
 #include <estampe/image.hpp>
 
 #include "core/file.hpp"
+#include "core/image_codec.hpp"
 #include "scene/gltf/data.hpp"
 #include "scene/gltf/test_file.hpp"
 #include "support/folder.hpp"
@@ -218,6 +219,20 @@ TEST_F(GltfFiles, missing_pictures_are_listed)
     const Scene scene = load_gltf(write());
     EXPECT_EQ(scene.warnings.size(), 2U);
     EXPECT_EQ(scene.missing_files, std::vector<std::string>{"a b/oak.png"});
+}
+
+TEST_F(GltfFiles, files_that_were_read_are_listed)
+{
+    write_file_atomically(folder_ / "scene.bin", file_.binary);
+    write_file_atomically(folder_ / "a b.png", encode_png({.width = 1, .height = 1, .rgba = {1, 2, 3, 255}}));
+    buffer_["uri"] = "scene.bin";
+    file_.document["images"] = json::parse(R"([{"uri": "a%20b.png"}, {"uri": "missing.png"}])");
+    file_.document["textures"] = json::parse(R"([{"source": 0}, {"source": 1}])");
+    file_.document["materials"] =
+        json::parse(R"([{"emissiveTexture": {"index": 0}, "normalTexture": {"index": 1}}])");
+    const std::filesystem::path path = write();
+    EXPECT_EQ(load_scene(path).files,
+              (std::vector<std::filesystem::path>{path, folder_ / "a b.png", folder_ / "scene.bin"}));
 }
 
 TEST_F(GltfFiles, other_files)

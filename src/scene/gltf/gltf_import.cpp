@@ -164,6 +164,7 @@ Scene import(std::span<const std::byte> bytes, const std::string& file,
         gltf::import_animations(data, scene);
         gltf::check_lightmap_extras(data);
         check_drawable(scene, file);
+        scene.files = data.named_files();
         scene.warnings = data.take_warnings();
         return scene;
     } catch (const Error&) {

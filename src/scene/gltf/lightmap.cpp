@@ -65,6 +65,7 @@ public:
         }
         if (has_uri) {
             entry.uri = value_.Get("uri").Get<std::string>();
+            data_.add_named(*entry.uri);
         } else {
             const auto count = static_cast<double>(data_.model().textures.size());
             const double texture = number_of(value_.Get(index_key)).value_or(-1.0);

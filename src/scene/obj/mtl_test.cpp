@@ -2,12 +2,14 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 
 #include <sys/stat.h>
 
 #include <gtest/gtest.h>
 
+#include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "scene/importers.hpp"
 #include "scene/obj/obj_materials.hpp"
@@ -121,6 +123,20 @@ TEST_F(MtlImport, MaterialsAsTheyWereBefore)
     const Scene hidden = load_material("d 0\n");
     EXPECT_EQ(first_material(hidden).base_color.w, 1.0F);
     EXPECT_NE(all_warnings(hidden).find("opacity 0 would hide it"), std::string::npos);
+}
+
+TEST_F(MtlImport, LibrariesAndPicturesAreAmongTheFilesRead)
+{
+    write_file_atomically(folder_ / "oak.png", encode_png({.width = 1, .height = 1, .rgba = {1, 2, 3, 255}}));
+    const Scene scene = load_material("map_Kd oak.png\nmap_Ke missing.png\n");
+    std::set<std::string> names;
+    for (const std::filesystem::path& file : scene.files)
+        names.insert(file.filename().string());
+    EXPECT_TRUE(names.contains("oak.png"));
+    EXPECT_EQ(std::ranges::count_if(names, [](const std::string& name) { return name.ends_with(".mtl"); }),
+              1);
+    EXPECT_EQ(names.size(), scene.files.size()) << "each once";
+    EXPECT_FALSE(names.contains("missing.png"));
 }
 
 TEST_F(MtlImport, MissingLibrariesAndMaterialsAreNamed)

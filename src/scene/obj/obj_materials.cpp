@@ -187,6 +187,7 @@ Textures::Picture& Textures::decoded(const std::string& name, FileFinder& finder
         try {
             if (place.empty())
                 throw Error("no such file", name, "put the picture beside the scene's file");
+            scene_.files.emplace_back(place);
             known->second.image = load_image(place);
         } catch (const Error& error) {
             scene_.warnings.push_back(fmt::format("texture left white: {}", error.what()));
@@ -302,6 +303,7 @@ public:
     {
         for (size_t i = 0; i < std::min(lines.size(), most_libraries); ++i)
             find_line(lines[i]);
+        scene_.files.insert(scene_.files.end(), found_.begin(), found_.end());
         return std::move(found_);
     }
 

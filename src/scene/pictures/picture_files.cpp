@@ -204,6 +204,8 @@ void load_pictures(Scene& scene, const std::vector<ImageSource>& sources, FileFi
             }
             const std::filesystem::path file = found_file(sources[i].file, finder, scene);
             const auto [known, is_new] = texture_of_file.emplace(file, i);
+            if (is_new)
+                scene.files.push_back(file);
             image = is_new ? load_image(file) : scene.textures[known->second].image;
         } catch (const Error& error) {
             scene.warnings.push_back(fmt::format("texture left white: {}", error.what()));

@@ -51,6 +51,17 @@ Terrain::Terrain(TerrainDescription description)
     check_heights(*this);
 }
 
+std::vector<std::filesystem::path> Terrain::files() const
+{
+    std::vector<std::filesystem::path> files;
+    for (const terrain::HeightTexture& texture : program_->textures) {
+        if (!texture.is_mask && !texture.sand) {
+            files.push_back(description_->folder / texture.name);
+        }
+    }
+    return files;
+}
+
 HeightSample Terrain::sample(double x_m, double z_m, double time_s) const
 {
     const auto places = terrain::place_words(*program_, {x_m, z_m}, time_s);
