@@ -47,7 +47,7 @@ public:
 
 private:
     std::vector<std::string> assignments_;
-    std::optional<uint64_t> seed_;
+    std::optional<std::string> seed_;
 };
 
 /// Checks that a world has a film. Throws UsageError unless `scene` is a world with a film of its own.

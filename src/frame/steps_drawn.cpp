@@ -103,6 +103,7 @@ std::optional<gpu::ImageId> add_halo(const FrameContext& context, const PosedSce
                                                .normal = surface.normal,
                                                .ground_draws = plan.strokes.ground_draws,
                                                .reach_px = halo_mm * plan.page.pixels_per_mm,
+                                               .pixels_per_mm = plan.page.pixels_per_mm,
                                                .size_px = context.sample.size_px});
 }
 

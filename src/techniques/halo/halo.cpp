@@ -18,7 +18,11 @@ gpu::ImageId add_distances(gpu::Graph& graph, const HaloInputs& in)
     auto things = graph.compute("halo/things", shaders::halo_things_comp);
     things.uniform(in.frame).sample(in.draw).sample(in.normal);
     gpu::ImageId distances = things.write(graph.image("halo/things", image));
-    things.push(shared::HaloThingConstants{.ground_draws = in.ground_draws}).dispatch_over(size.x, size.y);
+    constexpr float edge_mm = 1.2F;
+    things
+        .push(shared::HaloThingConstants{.ground_draws = in.ground_draws,
+                                         .edge_px = static_cast<int>(std::ceil(edge_mm * in.pixels_per_mm))})
+        .dispatch_over(size.x, size.y);
     for (const glm::ivec2 along : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
         auto pass = graph.compute("halo/distance", shaders::halo_distance_comp);
         pass.sample(distances);

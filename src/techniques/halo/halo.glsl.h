@@ -11,6 +11,7 @@ namespace estampe::shared {
 
 struct HaloThingConstants {
     uvec2 ground_draws; // draw calls of the ground and the terrain; UINT_MAX where there is none
+    int edge_px;        // edges between level surfaces are no things up to this width
 };
 
 struct HaloConstants {

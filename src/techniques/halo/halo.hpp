@@ -19,11 +19,13 @@ struct HaloInputs {
     /// Draw calls of the ground and the terrain; UINT32_MAX where there is none.
     glm::uvec2 ground_draws{UINT32_MAX};
     float reach_px = 0.0F; ///< width of the widest halo
+    float pixels_per_mm = 0.0F;
     glm::uvec2 size_px{0};
 };
 
 /// Measures distances on the page to the nearest pixel that shows a thing. All surfaces are things except the
-/// ground, and planes that are level, such as floors and table tops.
+/// ground, planes that are level, such as floors and table tops, and edges between these that are at most 1.2
+/// mm wide on the page.
 ///
 /// Writes  r16f, one texel per 4 x 4 pixels of the page: distance from the texel's middle to the nearest
 /// texel with a thing

@@ -39,6 +39,7 @@ std::vector<float> distances_of(const Page& page)
                                      .normal = normal.in(graph),
                                      .ground_draws = {7U, UINT32_MAX},
                                      .reach_px = reach_px,
+                                     .pixels_per_mm = 4.0F,
                                      .size_px = size_px}));
 }
 
@@ -99,6 +100,24 @@ TEST(Halo, GroundAndLevelPlanesAreNoThings)
     EXPECT_TRUE(has_things({.word = all(1U), .normal = [](glm::uvec2 p) {
                                 return glm::normalize(glm::vec3(2e-3F * static_cast<float>(p.x), 1, 0));
                             }}));
+}
+
+TEST(Halo, NarrowEdgesOfFloorsAreNoThings)
+{
+    // Steps between slabs of a floor are edges up to 1.2 mm on the page: 5 pixels.
+    const auto floor_with_step = [](uint32_t width_px, bool runs_down) {
+        return Page{.word = [](glm::uvec2) { return 1U; },
+                    .normal =
+                        [=](glm::uvec2 p) {
+                            const uint32_t at = runs_down ? p.x : p.y;
+                            return at >= 50 && at < 50 + width_px ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+                        }};
+    };
+    for (const bool runs_down : {false, true}) {
+        EXPECT_FALSE(has_things(floor_with_step(1, runs_down)));
+        EXPECT_FALSE(has_things(floor_with_step(5, runs_down)));
+        EXPECT_TRUE(has_things(floor_with_step(11, runs_down)));
+    }
 }
 
 TEST(Halo, ReachesAsFarAsTilesAllow)
