@@ -5,10 +5,22 @@
 
 #include "shaders/halo.glsl.h"
 #include "shaders/halo_distance_comp.hpp"
+#include "shaders/halo_edges_comp.hpp"
 #include "shaders/halo_things_comp.hpp"
 #include "techniques/halo/halo.glsl.h"
 
 namespace estampe::halo {
+
+namespace {
+
+/// Width of the widest edge of a floor that is no thing.
+int edge_texels(float pixels_per_mm)
+{
+    constexpr float edge_mm = 1.2F;
+    return static_cast<int>(std::ceil(edge_mm * pixels_per_mm / static_cast<float>(shared::halo_texel_px)));
+}
+
+} // namespace
 
 gpu::ImageId add_distances(gpu::Graph& graph, const HaloInputs& in)
 {
@@ -18,10 +30,11 @@ gpu::ImageId add_distances(gpu::Graph& graph, const HaloInputs& in)
     auto things = graph.compute("halo/things", shaders::halo_things_comp);
     things.uniform(in.frame).sample(in.draw).sample(in.normal);
     gpu::ImageId distances = things.write(graph.image("halo/things", image));
-    constexpr float edge_mm = 1.2F;
-    things
-        .push(shared::HaloThingConstants{.ground_draws = in.ground_draws,
-                                         .edge_px = static_cast<int>(std::ceil(edge_mm * in.pixels_per_mm))})
+    things.push(shared::HaloThingConstants{.ground_draws = in.ground_draws}).dispatch_over(size.x, size.y);
+    auto edges = graph.compute("halo/edges", shaders::halo_edges_comp);
+    edges.sample(distances);
+    distances = edges.write(graph.image("halo/edges", image));
+    edges.push(shared::HaloEdgeConstants{.size_texels = size, .reach_texels = edge_texels(in.pixels_per_mm)})
         .dispatch_over(size.x, size.y);
     for (const glm::ivec2 along : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
         auto pass = graph.compute("halo/distance", shaders::halo_distance_comp);
@@ -38,9 +51,12 @@ gpu::ImageId add_distances(gpu::Graph& graph, const HaloInputs& in)
 
 uint32_t reach_px(float halo_mm, float pixels_per_mm)
 {
-    return halo_mm > 0.0F
-               ? static_cast<uint32_t>(std::ceil(halo_mm * pixels_per_mm)) + 2 * shared::halo_texel_px
-               : 0U;
+    if (halo_mm <= 0.0F) {
+        return 0;
+    }
+    // An edge is recognised by what lies beside it. Texels may begin before a tile and end behind it.
+    const uint32_t texels = static_cast<uint32_t>(edge_texels(pixels_per_mm)) + 2U;
+    return static_cast<uint32_t>(std::ceil(halo_mm * pixels_per_mm)) + texels * shared::halo_texel_px;
 }
 
 } // namespace estampe::halo

@@ -9,9 +9,18 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
+// Distances of texels without things, before the search: of floor and ground, and of sky and bare paper. Half
+// floats hold both exactly, and both are beyond every halo.
+SHARED_CONSTANT float floor_px = 60000.0F;
+SHARED_CONSTANT float blank_px = 40000.0F;
+
 struct HaloThingConstants {
     uvec2 ground_draws; // draw calls of the ground and the terrain; UINT_MAX where there is none
-    int edge_px;        // edges between level surfaces are no things up to this width
+};
+
+struct HaloEdgeConstants {
+    ivec2 size_texels;
+    int reach_texels; // distance at which a floor is searched on two opposite sides
 };
 
 struct HaloConstants {

@@ -104,7 +104,7 @@ TEST(Halo, GroundAndLevelPlanesAreNoThings)
 
 TEST(Halo, NarrowEdgesOfFloorsAreNoThings)
 {
-    // Steps between slabs of a floor are edges up to 1.2 mm on the page: 5 pixels.
+    // Steps between slabs of a floor are edges up to about 1.2 mm on the page: 5 pixels, two squares of 4.
     const auto floor_with_step = [](uint32_t width_px, bool runs_down) {
         return Page{.word = [](glm::uvec2) { return 1U; },
                     .normal =
@@ -116,14 +116,14 @@ TEST(Halo, NarrowEdgesOfFloorsAreNoThings)
     for (const bool runs_down : {false, true}) {
         EXPECT_FALSE(has_things(floor_with_step(1, runs_down)));
         EXPECT_FALSE(has_things(floor_with_step(5, runs_down)));
-        EXPECT_TRUE(has_things(floor_with_step(11, runs_down)));
+        EXPECT_TRUE(has_things(floor_with_step(17, runs_down)));
     }
 }
 
 TEST(Halo, ReachesAsFarAsTilesAllow)
 {
     EXPECT_EQ(halo::reach_px(0.0F, 10.0F), 0U);
-    EXPECT_EQ(halo::reach_px(3.0F, 10.0F), 38U);
+    EXPECT_EQ(halo::reach_px(3.0F, 10.0F), 50U);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread handles one texel, a square of pixels of the page. The texel is 0 where one of the pixels shows
-// a thing, and far away otherwise. All surfaces are things except ground, floors and other level planes, and
-// the narrow edges of floors, such as steps between slabs.
+// a thing, and far away otherwise; see halo.glsl.h. All surfaces are things except ground, floors and other
+// level planes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,41 +28,6 @@ layout(push_constant, scalar) uniform Constants
     HaloThingConstants constants;
 };
 
-const float far_px = 60000.0;
-
-bool is_on_page(ivec2 pixel)
-{
-    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(uvec2(pixel), frame.size_px));
-}
-
-// Normal of a level surface at a pixel; zero for other surfaces and where no surface is seen.
-vec3 level_normal(ivec2 pixel)
-{
-    uint word = is_on_page(pixel) ? texelFetch(draw_image, pixel, 0).x : 0u;
-    if (!sees_draw(word)) {
-        return vec3(0.0);
-    }
-    vec3 normal = is_ground(word, constants.ground_draws)
-                      ? vec3(0.0, 1.0, 0.0)
-                      : unpack_normal(texelFetch(normal_image, pixel, 0).y);
-    return normal.y > least_level ? normal : vec3(0.0);
-}
-
-bool is_between_floors(ivec2 pixel, ivec2 offset)
-{
-    const float most_turn = 0.01; // largest difference of the normals of two slabs of a floor
-    vec3 before = level_normal(pixel - offset);
-    vec3 behind = level_normal(pixel + offset);
-    return before != vec3(0.0) && behind != vec3(0.0) && distance(before, behind) < most_turn;
-}
-
-// Whether a floor lies close by on two opposite sides.
-bool is_edge_of_floor(ivec2 pixel)
-{
-    return is_between_floors(pixel, ivec2(0, constants.edge_px)) ||
-           is_between_floors(pixel, ivec2(constants.edge_px, 0));
-}
-
 void main()
 {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -72,15 +37,18 @@ void main()
     int side = int(halo_texel_px);
     ivec2 from = side * texel - ivec2(halo_offset_px(frame.tile_from_px));
     bool has_thing = false;
+    bool has_floor = false;
     vec3 first = vec3(0.0);
     for (int i = 0; i < side * side && !has_thing; ++i) {
         ivec2 pixel = from + ivec2(i % side, i / side);
-        uint word = is_on_page(pixel) ? texelFetch(draw_image, pixel, 0).x : 0u;
+        bool on_page = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(uvec2(pixel), frame.size_px));
+        uint word = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;
+        has_floor = has_floor || sees_draw(word);
         if (sees_draw(word) && !is_ground(word, constants.ground_draws)) {
             vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).y);
-            first = first == vec3(0.0) && normal.y > least_level ? normal : first;
-            has_thing = !is_flat_and_level(normal, first) && !is_edge_of_floor(pixel);
+            first = first == vec3(0.0) ? normal : first;
+            has_thing = !is_flat_and_level(normal, first);
         }
     }
-    imageStore(out_distance, texel, vec4(has_thing ? 0.0 : far_px));
+    imageStore(out_distance, texel, vec4(has_thing ? 0.0 : has_floor ? floor_px : blank_px));
 }

@@ -18,20 +18,20 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/hatch/groups.glsl"
 
-layout(binding = 3) uniform sampler2D exact_image; // darkness before smoothing
-layout(binding = 4, r16f) writeonly uniform image2D out_darkness;
+layout(binding = 4) uniform sampler2D exact_image; // darkness before smoothing
+layout(binding = 5, r16f) writeonly uniform image2D out_darkness;
 
-#define DARK_TILES_BINDING 5
+#define DARK_TILES_BINDING 6
 #include "techniques/hatch/dark_tiles.glsl"
 
 // Tone of the areas that are not small with which a small area shares the longest border; no_group if the
 // area touches none.
-uint tone_around(uint area)
+uint tone_around(uint name)
 {
     uint longest = 0u;
     uint group = no_group;
     for (uint i = 0u; i < constants.count; ++i) {
-        uint border = imageLoad(areas, border_place(area, i)).x;
+        uint border = imageLoad(borders, border_texel(name, i)).x;
         group = border > longest ? i : group;
         longest = max(border, longest);
     }
@@ -45,11 +45,11 @@ float grouped(ivec2 pixel)
         return 0.0;
     }
     uint group = group_at(pixel);
-    uint area = parent_of(name_at(pixel));
-    uint around = tone_around(area);
+    uint name = parents[number_of(pixel)];
+    uint around = tone_around(name);
     float tone = tone_of_group(group, constants.count);
     if (around != no_group) {
-        float own = smoothstep(constants.least_px, full_area * constants.least_px, float(pixels_of(area)));
+        float own = smoothstep(constants.least_px, full_area * constants.least_px, float(pixels_of[name]));
         tone = mix(tone_of_group(around, constants.count), tone, own);
     }
     return mix(dark, tone, constants.strength);

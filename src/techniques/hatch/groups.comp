@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds areas of one tone, for grouping the darkness of strokes. One thread handles one pixel, in one of
 // several steps. Connected pixels of the same tone form an area. Areas are found by union and find on the
-// pixels' names: each pixel refers to an earlier pixel of the same area. Playne and Hawick, "A
+// pixels' numbers: each pixel refers to a pixel of the same area with a smaller number. Playne and Hawick, "A
 // New Algorithm for Parallel Connected-Component Labelling on GPUs", IEEE TPDS 2018.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -23,94 +23,96 @@ layout(push_constant, scalar) uniform Constants
 
 layout(constant_id = 0) const uint this_step = 0u;
 
-uint area_of(uint name)
+uint name_of(uint number)
 {
-    uint parent = parent_of(name);
-    while (parent != name) {
-        name = parent;
-        parent = parent_of(name);
+    uint parent = parents[number];
+    while (parent != number) {
+        number = parent;
+        parent = parents[number];
     }
-    return name;
+    return number;
 }
 
 void unite(uint a, uint b)
 {
-    a = area_of(a);
-    b = area_of(b);
+    a = name_of(a);
+    b = name_of(b);
     while (a != b) {
         uint later = max(a, b);
         uint earlier = min(a, b);
         // Another thread may have given `later` a parent in the meantime, which is then united instead.
-        uint before = imageAtomicMin(parents, pixel_of(later), earlier);
-        a = before == later ? earlier : area_of(before);
-        b = area_of(earlier);
+        uint before = atomicMin(parents[later], earlier);
+        a = before == later ? earlier : name_of(before);
+        b = name_of(earlier);
     }
 }
 
-bool is_small(uint area)
+bool is_small(uint name)
 {
-    return float(pixels_of(area)) < constants.least_px;
+    return float(pixels_of[name]) < constants.least_px;
 }
 
 void start(ivec2 pixel)
 {
+    uint number = number_of(pixel);
     uint group = group_at(pixel);
     bool joins_left = pixel.x % 8 != 0 && group_at(pixel - ivec2(1, 0)) == group;
     bool joins_above = pixel.y % 8 != 0 && group_at(pixel - ivec2(0, 1)) == group;
-    ivec2 parent = pixel - (joins_left ? ivec2(1, 0) : joins_above ? ivec2(0, 1) : ivec2(0));
-    imageStore(parents, pixel, uvec4(name_at(parent)));
-    if (parent == pixel) {
-        for (int layer = 0; layer <= int(constants.count); ++layer) {
-            imageStore(areas, ivec3(pixel, layer), uvec4(0u));
+    parents[number] = joins_left ? number - 1u : joins_above ? number - constants.size_px.x : number;
+    if (!joins_left && !joins_above) {
+        pixels_of[number] = 0u;
+        for (int tone = 0; tone < int(constants.count); ++tone) {
+            imageStore(borders, ivec3(pixel, tone), uvec4(0u));
         }
     }
 }
 
 void unite_with_neighbours(ivec2 pixel)
 {
+    uint number = number_of(pixel);
     uint group = group_at(pixel);
     bool left = group_at(pixel - ivec2(1, 0)) == group;
     bool above = group_at(pixel - ivec2(0, 1)) == group;
     if (left && pixel.x % 8 == 0) {
-        unite(name_at(pixel), name_at(pixel - ivec2(1, 0)));
+        unite(number, number - 1u);
     }
     // If the pixel to the left also joins the pixel above it, both rows are already united there.
     if (above && !(left && group_at(pixel - ivec2(1, 1)) == group)) {
-        unite(name_at(pixel), name_at(pixel - ivec2(0, 1)));
+        unite(number, number - constants.size_px.x);
     }
 }
 
 void measure(ivec2 pixel)
 {
-    uint area = area_of(name_at(pixel));
-    imageStore(parents, pixel, uvec4(area));
+    uint number = number_of(pixel);
+    uint name = name_of(number);
+    parents[number] = name;
     // Large areas need no exact count, and counting all their pixels would be slow.
-    if (float(pixels_of(area)) > full_area * constants.least_px) {
+    if (float(pixels_of[name]) > full_area * constants.least_px) {
         return;
     }
-    ivec3 place = ivec3(pixel_of(area), 0);
-    if (subgroupAllEqual(area)) {
+    if (subgroupAllEqual(name)) {
         uint count = subgroupBallotBitCount(subgroupBallot(true));
         if (subgroupElect()) {
-            imageAtomicAdd(areas, place, count);
+            atomicAdd(pixels_of[name], count);
         }
     } else {
-        imageAtomicAdd(areas, place, 1u);
+        atomicAdd(pixels_of[name], 1u);
     }
 }
 
 void count_borders(ivec2 pixel)
 {
-    uint area = parent_of(name_at(pixel));
-    if (float(pixels_of(area)) > full_area * constants.least_px) {
+    uint name = parents[number_of(pixel)];
+    if (float(pixels_of[name]) > full_area * constants.least_px) {
         return;
     }
     uint group = group_at(pixel);
     for (int i = 0; i < 4; ++i) {
         ivec2 at = pixel + ivec2(i < 2 ? 2 * i - 1 : 0, i < 2 ? 0 : 2 * i - 5);
         uint beyond = group_at(at);
-        if (beyond != no_group && beyond != group && !is_small(parent_of(name_at(at)))) {
-            imageAtomicAdd(areas, border_place(area, beyond), 1u);
+        if (beyond != no_group && beyond != group && !is_small(parents[number_of(at)])) {
+            imageAtomicAdd(borders, border_texel(name, beyond), 1u);
         }
     }
 }

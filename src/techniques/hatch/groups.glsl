@@ -3,51 +3,44 @@
 #define ESTAMPE_GROUPS
 
 // The table of areas of one tone, and the tone of a pixel before areas are joined. Requires `constants`.
-// An area is named by the first of its pixels.
+// An area is named by the smallest number of its pixels.
 
 #include "techniques/hatch/hatch.glsl.h"
 
 layout(binding = 0) uniform sampler2D darkness_image; // smoothed
 
-// For each pixel, the name of a pixel of the same area that is earlier, or of the pixel itself. Threads may
-// read a value that another thread has replaced meanwhile: the old value is a pixel of the same area, too.
-layout(r32ui, binding = 1) uniform uimage2D parents;
+// For each pixel, a pixel of the same area with a smaller number, or the pixel itself. Threads may read a
+// value that another thread has replaced meanwhile: the old value is a pixel of the same area, too.
+layout(scalar, binding = 1) buffer Parents
+{
+    uint parents[];
+};
 
-// What is known of an area, at the pixel that names it; values at other pixels are not used. The layers are:
-// the number of pixels, which for large areas is not counted to the end; then, for small areas and each tone
-// beyond, the length of the border with areas that are not small. Images, because a device binds much less of
-// a buffer than a large page needs.
-layout(r32ui, binding = 2) uniform uimage2DArray areas;
+// Number of pixels of each area, at the area's name; large areas are not counted to the end. Entries of other
+// pixels are not used.
+layout(scalar, binding = 2) buffer Sizes
+{
+    uint pixels_of[];
+};
+
+// Only for small areas: length of the border with areas that are not small. There is a layer for each tone
+// beyond the border, and an area's texel is the pixel that names it. This is an image and not a buffer,
+// because a device binds less of a buffer than a page of A4 needs.
+layout(r32ui, binding = 3) uniform uimage2DArray borders;
 
 const uint no_group = 0xffffffffu;
 // Areas keep their own tone in full from this multiple of the least area on, so that a growing area appears
 // little by little.
 const float full_area = 1.5;
 
-// Pixels are named in the order of rows, and by columns within a row.
-uint name_at(ivec2 pixel)
+uint number_of(ivec2 pixel)
 {
-    return uint(pixel.y) << 16u | uint(pixel.x);
+    return uint(pixel.y) * constants.size_px.x + uint(pixel.x);
 }
 
-ivec2 pixel_of(uint name)
+ivec3 border_texel(uint name, uint tone)
 {
-    return ivec2(name & 0xffffu, name >> 16u);
-}
-
-uint parent_of(uint name)
-{
-    return imageLoad(parents, pixel_of(name)).x;
-}
-
-uint pixels_of(uint name)
-{
-    return imageLoad(areas, ivec3(pixel_of(name), 0)).x;
-}
-
-ivec3 border_place(uint name, uint tone)
-{
-    return ivec3(pixel_of(name), 1u + tone);
+    return ivec3(name % constants.size_px.x, name / constants.size_px.x, tone);
 }
 
 // Tone of a pixel, counted from 0 for paper; no_group beyond the page and where nothing is hatched.

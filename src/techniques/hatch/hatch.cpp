@@ -163,10 +163,13 @@ namespace {
 gpu::ImageId add_groups(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
                         gpu::ImageId darkness, gpu::BufferId& tiles)
 {
-    gpu::ImageDesc per_area{.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32ui};
-    gpu::ImageId parents = graph.image("hatch/parents", per_area);
-    per_area.layers = 1U + static_cast<uint32_t>(style.groups);
-    gpu::ImageId areas = graph.image("hatch/areas", per_area);
+    const uint64_t size_bytes = sizeof(uint32_t) * uint64_t{in.size_px.x} * in.size_px.y;
+    gpu::BufferId parents = graph.buffer("hatch/parents", {.size_bytes = size_bytes});
+    gpu::BufferId sizes = graph.buffer("hatch/sizes", {.size_bytes = size_bytes});
+    gpu::ImageId borders = graph.image("hatch/borders", {.width = in.size_px.x,
+                                                         .height = in.size_px.y,
+                                                         .format = gpu::Format::r32ui,
+                                                         .layers = static_cast<uint32_t>(style.groups)});
     const float pixels_per_mm2 = in.pixels_per_mm * in.pixels_per_mm;
     const shared::GroupConstants constants{.size_px = in.size_px,
                                            .count = static_cast<uint32_t>(style.groups),
@@ -185,12 +188,14 @@ gpu::ImageId add_groups(gpu::Graph& graph, const HatchInputs& in, const HatchSty
          {shared::groups_start, shared::groups_unite, shared::groups_measure, shared::groups_borders}) {
         auto pass = graph.compute("hatch/areas", shaders::groups_comp);
         pass.sample(smooth);
-        parents = step == shared::groups_start ? pass.write(parents) : pass.modify(parents);
-        areas = step == shared::groups_start ? pass.write(areas) : pass.modify(areas);
+        const bool starts = step == shared::groups_start;
+        parents = starts ? pass.write(parents) : pass.modify(parents);
+        sizes = starts ? pass.write(sizes) : pass.modify(sizes);
+        borders = starts ? pass.write(borders) : pass.modify(borders);
         pass.variant(step).push(constants).dispatch_over(in.size_px.x, in.size_px.y);
     }
     auto pass = graph.compute("hatch/grouped", shaders::group_tones_comp);
-    pass.sample(smooth).read(parents).read(areas).sample(darkness);
+    pass.sample(smooth).read(parents).read(sizes).read(borders).sample(darkness);
     const gpu::ImageId grouped = pass.write(graph.image("hatch/grouped", image));
     tiles = pass.modify(tiles);
     pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
