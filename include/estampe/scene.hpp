@@ -334,7 +334,8 @@ struct Scene {
     std::vector<std::string> missing_files; ///< Images that the file refers to but that could not be opened
     /// Metres per unit of length in the file, if the file gives this factor. The scene itself is in metres.
     std::optional<double> file_unit_m;
-    /// Repairs made while the scene's file was read, one line of text each.
+    /// Repairs made while the scene's file was read, one line of text each. After load_scene() each line
+    /// begins with the file's name.
     std::vector<std::string> warnings;
     std::vector<SceneCell> cells;     ///< Rooms of the scene; empty if the scene is not divided into rooms
     std::vector<ScenePortal> portals; ///< Openings between `cells`

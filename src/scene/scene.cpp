@@ -6,6 +6,7 @@
 #include <cctype>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -143,6 +144,16 @@ Scene read(const std::filesystem::path& path)
         fmt::format("give one of: {} {}", fmt::join(gltf_extensions, " "), fmt::join(other_extensions, " ")));
 }
 
+/// Puts the name of the scene's file before the warnings that do not begin with it.
+void name_warnings(std::vector<std::string>& warnings, const std::string& name)
+{
+    for (std::string& warning : warnings) {
+        if (!warning.starts_with(name)) {
+            warning = fmt::format("{}: {}", name, warning);
+        }
+    }
+}
+
 } // namespace
 
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
@@ -162,6 +173,7 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
         turn_up(scene, *options.up);
     }
     check_drawn_size(scene, path.string());
+    name_warnings(scene.warnings, path.string());
     return scene;
 }
 
