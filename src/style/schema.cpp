@@ -312,10 +312,15 @@ private:
         } catch (const Error& problem) {
             throw Error(problem.what(), entry.value_where);
         }
-        if (std::find(chain_.begin(), chain_.end(), base.name) != chain_.end() || chain_.size() >= deepest) {
+        if (std::find(chain_.begin(), chain_.end(), base.name) != chain_.end()) {
             throw Error(
                 fmt::format("extends goes in a circle: {} -> {}", fmt::join(chain_, " -> "), base.name),
                 entry.value_where, "remove one extends line");
+        }
+        if (chain_.size() >= deepest) {
+            throw Error(fmt::format("is the {}th style of a chain of extends; {} are the most",
+                                    chain_.size() + 1, deepest),
+                        entry.value_where, "let it extend a style nearer to the end of the chain");
         }
         read(base);
     }

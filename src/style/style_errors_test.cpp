@@ -240,6 +240,21 @@ TEST_F(StyleFiles, ExtendsMayNotGoInACircle)
               std::string::npos);
 }
 
+TEST_F(StyleFiles, AChainOfExtendsHasAnEnd)
+{
+    std::filesystem::path path = write("0.toml", "");
+    for (int i = 1; i < 16; ++i)
+        path = write(fmt::format("{}.toml", i), fmt::format("extends = \"{}.toml\"", i - 1));
+    Styles styles;
+    schema().read(styles, path.string());
+    const auto longest = write("16.toml", "extends = \"15.toml\"");
+    const std::string message = message_of([&] { schema().read(styles, longest.string()); });
+    EXPECT_NE(message.find("1.toml:1:11: is the 17th style of a chain of extends; 16 are the most"),
+              std::string::npos)
+        << message;
+    EXPECT_EQ(message.find("circle"), std::string::npos);
+}
+
 TEST_F(StyleFiles, ExtendsOfNothing)
 {
     const auto path = write("a.toml", "extends = \"missing.toml\"");
