@@ -162,7 +162,7 @@ double line_width_mm(uint32_t height_px, uint32_t tile_px)
 TEST(DrawnTiles, LinesAreAsWideInMillimetresAtAnyDensity)
 {
     EXPECT_NEAR(line_width_mm(100, 0), 2.0, 0.06);
-    EXPECT_NEAR(line_width_mm(100, 64), 2.0, 0.06);
+    EXPECT_NEAR(line_width_mm(100, 72), 2.0, 0.06);
     EXPECT_NEAR(line_width_mm(300, 128), 2.0, 0.06);
 }
 

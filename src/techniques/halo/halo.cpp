@@ -54,11 +54,9 @@ uint32_t reach_px(float halo_mm, float pixels_per_mm)
     if (halo_mm <= 0.0F) {
         return 0;
     }
-    // A distance is interpolated from texels whose middle is less than a texel away, and the last thing's
-    // texel reaches half a texel beyond its middle. An edge is recognised by what lies beside it.
-    constexpr uint32_t half_texel_px = shared::halo_texel_px / 2U;
-    const auto edge_px = static_cast<uint32_t>(edge_texels(pixels_per_mm)) * shared::halo_texel_px;
-    return static_cast<uint32_t>(std::ceil(halo_mm * pixels_per_mm)) + 3U * half_texel_px + edge_px;
+    // An edge is recognised by what lies beside it. Texels may begin before a tile and end behind it.
+    const uint32_t texels = static_cast<uint32_t>(edge_texels(pixels_per_mm)) + 2U;
+    return static_cast<uint32_t>(std::ceil(halo_mm * pixels_per_mm)) + texels * shared::halo_texel_px;
 }
 
 } // namespace estampe::halo

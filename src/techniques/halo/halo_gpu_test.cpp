@@ -123,7 +123,7 @@ TEST(Halo, NarrowEdgesOfFloorsAreNoThings)
 TEST(Halo, ReachesAsFarAsTilesAllow)
 {
     EXPECT_EQ(halo::reach_px(0.0F, 10.0F), 0U);
-    EXPECT_EQ(halo::reach_px(3.0F, 10.0F), 48U);
+    EXPECT_EQ(halo::reach_px(3.0F, 10.0F), 50U);
 }
 
 } // namespace
