@@ -222,7 +222,7 @@ expect_success render scene.glb -o page.png --page 20x30mm --landscape --dpi 72 
 [[ "$(od -An -tx1 -j16 -N8 page.png | tr -d ' ')" == 0000005500000039 ]] || wrong "a page of 30 x 20 mm is not 85 x 57 pixels"
 dots_at=$(($(grep -obUam1 pHYs page.png | cut -d: -f1) + 4))
 [[ "$(od -An -tx1 -j"$dots_at" -N4 page.png | tr -d ' ')" == 00000b13 ]] || wrong "no 2835 dots a metre in page.png"
-expect_success render scene.glb -o tiled.png --page 30x20mm --dpi 72 --tile 64 --device cpu
+expect_success render scene.glb -o tiled.png --page 30x20mm --dpi 72 --tile 72 --device cpu
 [[ -s tiled.png ]] || wrong "no page in tiles"
 expect_success render scene.glb -o page.svg --page A5 --dpi 72 --device cpu
 grep -q 'width="148mm" height="210mm" viewBox="0 0 148 210"' page.svg || wrong "page.svg is not as large as A5: $(sed -n 4p page.svg)"
