@@ -231,7 +231,7 @@ std::vector<std::filesystem::path> Data::named_files() const
         }
     }
     std::ranges::sort(files);
-    files.erase(std::ranges::unique(files).begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
     return files;
 }
 
