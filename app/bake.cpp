@@ -190,7 +190,6 @@ void run(const BakeCommand& command)
     draw.world = command.world;
     Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
-    check_output(command.output, scene.files);
     LightmapBake bake(std::move(scene), command.style, command.settings);
     if (bake.leaves_out_moving()) {
         print_warnings(

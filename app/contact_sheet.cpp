@@ -12,6 +12,7 @@
 #include <estampe/shapes.hpp>
 #include <estampe/style.hpp>
 
+#include "core/file.hpp"
 #include "core/image_formats.hpp"
 #include "drawing.hpp"
 #include "messages.hpp"
@@ -136,6 +137,7 @@ Image draw_contact_sheet(const DrawOptions& draw)
 {
     const Scene scene = draw.scene.empty() ? still_life() : load_scene_of(draw);
     print_warnings(scene.warnings);
+    check_output(draw.output, input_files(draw, scene));
     const Index animation = choose_animation(draw, scene);
     const Camera camera = choose_camera(draw, scene, animation);
     warn_of_empty_view(draw, scene, animation, camera);

@@ -146,6 +146,12 @@ TEST_F(AppWorlds, SeedIsShortForAnOptionOfThatName)
         0U);
     EXPECT_EQ(refusal({"render", "seeded-box", "-o", "a.png", "--seed", "7", "--world", "seed=8"}),
               "--seed: is short for --world seed=N, which is given too; leave one of the two out");
+    for (const char* const beyond : {"-1", "18446744073709551616", "1e3"}) {
+        EXPECT_NE(
+            refusal({"render", "seeded-box", "-o", "a.png", "--seed", beyond}).find("is not a whole number"),
+            std::string::npos)
+            << beyond;
+    }
 }
 
 TEST_F(AppWorlds, OptionsOfTheProgramThatBelongToAWorldAreAnsweredWithHowToWriteThem)

@@ -152,7 +152,7 @@ AtomicFile AtomicFile::file(const std::filesystem::path& target)
     if (replaces && (replaced.st_uid != geteuid() || replaced.st_gid != getegid())) {
         static_cast<void>(fchown(descriptor, replaced.st_uid, replaced.st_gid) == 0);
     }
-    fchmod(descriptor, replaces ? replaced.st_mode & 07777U : 0666 & ~mask);
+    fchmod(descriptor, replaces ? replaced.st_mode & 0777U : 0666 & ~mask);
     registry().paths.insert(name);
     return {real, name, descriptor};
 }

@@ -334,7 +334,7 @@ cp wood.png wood-before.png
 expect_error 1 'wood.png: the output would overwrite an input' render wood.obj -o wood.png "${small[@]}"
 expect_error 1 'wood.png: the output would overwrite an input' render scene.glb -o wood.png "${small[@]}" --set ink.flow_map=wood.png
 cmp wood.png wood-before.png || wrong "a scene's texture was overwritten"
-# A film of more frames than a file name has digits for
+# A film of more frames than a film may have
 printf '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"buffers":[{"byteLength":68,"uri":"data:application/octet-stream;base64,%s"}],"bufferViews":[{"buffer":0,"byteLength":68}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},{"bufferView":0,"byteOffset":36,"componentType":5126,"count":2,"type":"SCALAR","min":[0],"max":[300000000]},{"bufferView":0,"byteOffset":44,"componentType":5126,"count":2,"type":"VEC3"}],"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],"samplers":[{"input":1,"output":2}]}]}' \
     "$(printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0\0\0\0\0\243\30\217\115\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\77\0\0\0\0\0\0\0\0' | base64 -w0)" >long.gltf
 expect_error 1 '300094560 s long, 7202269440 frames; a film has at most 1000000' render long.gltf -o long-%d.png "${small[@]}"
