@@ -94,6 +94,9 @@ TEST(Tiles, OverlapAsFarAsInkRuns)
     style.hatch.overrun_mm = 1.0F;
     EXPECT_GE(overlap_px(style, 10.0F), least + 10U);
     const uint32_t with_overrun = overlap_px(style, 10.0F);
+    style.hatch.loose_mm = 2.0F;
+    EXPECT_GE(overlap_px(style, 10.0F), with_overrun + 20U);
+    style.hatch.loose_mm = 0.0F;
     style.bleed = {.enabled = true, .width_mm = 1.0F};
     EXPECT_GE(overlap_px(style, 10.0F), with_overrun + 12U);
     EXPECT_GT(overlap_px(style, 20.0F), overlap_px(style, 10.0F));

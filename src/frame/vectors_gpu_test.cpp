@@ -256,7 +256,7 @@ TEST_P(HatchVectors, HatchingLiesWhereThePictureHasIt)
 INSTANTIATE_TEST_SUITE_P(Styles, HatchVectors,
                          testing::Values("hatch.coordinates=solid", "hatch.coordinates=uv",
                                          "hatch.coordinates=form", "hatch.coordinates=page", "hatch.growth=1",
-                                         "hatch.overrun_mm=1"),
+                                         "hatch.overrun_mm=1", "hatch.loose_mm=1"),
                          [](const auto& named) {
                              std::string name = named.param;
                              std::ranges::replace_if(

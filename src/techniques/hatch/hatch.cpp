@@ -62,7 +62,9 @@ uint32_t reach_px(const HatchStyle& style, float pixels_per_mm)
     const float overrun_px = style.overrun_mm * pixels_per_mm;
     // Jump flooding with halved steps, down to 1, reaches a source up to twice the first step minus one pixel
     // away.
-    return overrun_px > 0.0F ? 2U * std::bit_ceil(static_cast<uint32_t>(std::ceil(overrun_px))) : 0U;
+    const uint32_t overrun_reach_px =
+        overrun_px > 0.0F ? 2U * std::bit_ceil(static_cast<uint32_t>(std::ceil(overrun_px))) : 0U;
+    return overrun_reach_px + static_cast<uint32_t>(std::ceil(style.loose_mm * pixels_per_mm));
 }
 
 gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
@@ -122,13 +124,15 @@ shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& st
             .wind = layer.wind,
             .ground_wind = in.ground_wind,
             .towards_light = in.towards_light,
-            .overrun_px = style.overrun_mm * in.pixels_per_mm};
+            .overrun_px = style.overrun_mm * in.pixels_per_mm,
+            .loose_px = style.loose_mm * in.pixels_per_mm};
 }
 
 uint32_t line_variant(const HatchInputs& in, const HatchStyle& style)
 {
     return (style.growth > 0.0F ? shared::lines_has_growth : 0U) |
            (style.overrun_mm > 0.0F ? shared::lines_has_overrun : 0U) |
+           (style.loose_mm > 0.0F ? shared::lines_has_loose_ends : 0U) |
            (in.strongest_light ? shared::lines_has_local_light : 0U) |
            (in.ink_before ? shared::lines_has_ink : 0U) | (in.marks_solid ? shared::lines_marks_solid : 0U) |
            in.strokes_present << shared::lines_kinds_shift;
@@ -251,7 +255,9 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness&
 {
     const gpu::ImageId source = add_overrun(graph, in, darkness.image, style);
     const glm::uvec2 tiles = (in.size_px + tile_px - 1U) / tile_px;
-    const bool all_tiles = style.overrun_mm > 0.0F || tiles.x * tiles.y > most_listed_tiles;
+    // Strokes that run out of shade reach tiles that are blank themselves.
+    const bool runs_out = style.overrun_mm > 0.0F || style.loose_mm > 0.0F;
+    const bool all_tiles = runs_out || tiles.x * tiles.y > most_listed_tiles;
     auto pass = graph.compute("hatch/lines", shaders::lines_comp);
     pass.sample(darkness.image).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
     pass.sample(source).sample(in.strongest_light.value_or(in.draw));
@@ -397,6 +403,10 @@ const style::Table<HatchStyle>& hatch_table()
             .number("overrun_mm", &HatchStyle::overrun_mm, {0.0F, 5.0F}, "mm",
                     "How far hatching strokes run past outlines onto bare paper: 0 stops strokes at the "
                     "outline. Not used when hatch.strokes is dots.")
+            .number("loose_mm", &HatchStyle::loose_mm, {0.0F, 10.0F}, "mm",
+                    "How far hatching strokes end, at random, before or beyond the edge of a shade: 0 ends "
+                    "them all at the edge, more draws ragged edges as a quick hand does. Only used when "
+                    "hatch.strokes is lines.")
             .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
                     "Darkness above which an area is filled with solid ink: less fills more areas. Above 1, "
                     "no area is filled.")

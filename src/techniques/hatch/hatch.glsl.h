@@ -80,6 +80,8 @@ SHARED_CONSTANT uint lines_has_local_light = 1U << 3U;
 SHARED_CONSTANT uint lines_has_ink = 1U << 4U;
 // Where ink fills the paper completely, the shader writes `solid_ink`.
 SHARED_CONSTANT uint lines_marks_solid = 1U << 5U;
+// Strokes end at random before or beyond the edge of a tone.
+SHARED_CONSTANT uint lines_has_loose_ends = 1U << 6U;
 // Position of the bits for kinds of stroke, one bit per kind, see stroke_kind.glsl.h.
 SHARED_CONSTANT uint lines_kinds_shift = 8U;
 
@@ -147,6 +149,7 @@ struct LineConstants {
     vec2 ground_wind;
     vec3 towards_light;
     float overrun_px; // distance by which strokes run over silhouettes
+    float loose_px;   // largest distance between a stroke's end and the edge of a tone
 };
 
 // Largest share of the remaining darkness that one layer of strokes may draw if another layer follows.

@@ -84,6 +84,7 @@ struct HatchStyle {
     float pressure = 0.28F;
     float growth = 0.0F;
     float overrun_mm = 0.0F;
+    float loose_mm = 0.0F;
     float fade = 1.0F; ///< share of darkness kept at infinite distance, from the style's `haze.hatching`
     /// Distance in metres over which hatching fades, from the style's `haze.hatching_distance_m`.
     float fade_distance_m = 60.0F;

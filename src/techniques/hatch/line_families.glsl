@@ -10,6 +10,7 @@ const bool has_growth = (variant & lines_has_growth) != 0u;
 const bool has_overrun = (variant & lines_has_overrun) != 0u;
 const bool has_all_tiles = (variant & lines_has_all_tiles) != 0u;
 const bool marks_solid = (variant & lines_marks_solid) != 0u;
+const bool has_loose_ends = (variant & lines_has_loose_ends) != 0u;
 const bool has_local_light = (variant & lines_has_local_light) != 0u;
 const uint kinds = variant >> lines_kinds_shift;
 const uint directed_kinds =
@@ -113,14 +114,20 @@ uint family_seed(uint family)
     return hash(constants.seed * 64u + family);
 }
 
+// Direction across the strokes of a family, in stroke coordinates.
+vec3 family_axis(uint kind, uint family)
+{
+    return lies_flat(kind) ? flat_axis(stroke_axes(), kind, family >> 1)
+                           : solid_axis(stroke_axes(), kind, family);
+}
+
 // The coordinate that the lines of a family follow at a place of the surface, and the coordinate's change per
 // pixel.
 LineField family_field(vec3 p, Footprint f, uint kind, uint family)
 {
     bool flat_here = lies_flat(kind);
     bool form_here = has_form && kind == strokes_form;
-    vec3 axis =
-        flat_here ? flat_axis(stroke_axes(), kind, family >> 1) : solid_axis(stroke_axes(), kind, family);
+    vec3 axis = family_axis(kind, family);
     vec3 side = flat_here ? vec3(axis.y, -axis.x, 0.0)
                           : unit(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
     LineField field = field_along(axis, side, cross(axis, side), p, f);

@@ -35,6 +35,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/hatch/line_families.glsl"
+#include "techniques/hatch/loose_ends.glsl"
 
 const bool has_ink = (variant & lines_has_ink) != 0u;
 
@@ -49,6 +50,19 @@ float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
         LineField field = family_field(p, f, kind, family);
         white *= 1.0 - line_ink(field, style, family_dark, family_seed(family));
     } while (subgroupAny(is_any_left(families)));
+    return 1.0 - white;
+}
+
+// Ink of the strokes at a pixel if their ends are loose: each family has its own darkness.
+float loose_strokes(ivec2 source, float share, vec3 p, Footprint f, vec3 normal, uint word)
+{
+    HatchLineStyle style = line_style();
+    uint kind = strokes_of(word);
+    float white = 1.0;
+    for (uint family = 0u; family < 2u * constants.layers; ++family) {
+        float dark = share * family_darkness(source, p, f, normal, word, family);
+        white *= 1.0 - line_ink(family_field(p, f, kind, family), style, dark, family_seed(family));
+    }
     return 1.0 - white;
 }
 
@@ -67,13 +81,18 @@ void main()
     ivec2 source = source_of(pixel, share);
     vec2 beyond = vec2(pixel - source);
     float dark = texelFetch(darkness_image, source, 0).x * share;
-    uint kind = strokes_of(texelFetch(draw_image, source, 0).x);
+    uint word = texelFetch(draw_image, source, 0).x;
     Footprint f = unpack_footprint(texelFetch(footprint_image, source, 0));
     vec3 p = texelFetch(coordinate_image, source, 0).xyz + f.dx * beyond.x + f.dy * beyond.y;
     vec3 normal = unpack_normal(texelFetch(normal_image, source, 0).y);
     uint strongest = has_local_light ? texelFetch(strongest_image, source, 0).x : 0u;
     towards_light = towards_light_of(strongest);
-    float ink = strokes(p, f, normal, kind, dark);
+    float ink = 0.0;
+    if (!has_loose_ends) {
+        ink = strokes(p, f, normal, strokes_of(word), dark);
+    } else if (sees_draw(word)) {
+        ink = loose_strokes(source, share, p, f, normal, word);
+    }
     float solid =
         source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0;
     ink = marks_solid && solid >= 1.0 ? solid_ink : max(ink, solid);

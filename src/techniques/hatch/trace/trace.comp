@@ -37,6 +37,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/hatch/line_families.glsl"
+#include "techniques/hatch/loose_ends.glsl"
 
 #define OVERRUN_PX constants.overrun_px
 #include "techniques/hatch/overrun_source.glsl"
@@ -47,12 +48,14 @@ const uint most_families = 6u;
 
 // The values that determine the strokes at one pixel.
 struct Spot {
+    ivec2 source; // pixel from which all other values are
     uint word;
     vec3 p;
     Footprint f;
     vec3 normal;
     vec3 towards_light;
     float dark;
+    float share; // part of the source's darkness that is drawn here
 };
 
 Spot spot_at(ivec2 pixel)
@@ -61,6 +64,8 @@ Spot spot_at(ivec2 pixel)
     ivec2 source = source_of(pixel, share);
     vec2 beyond = vec2(pixel - source);
     Spot spot;
+    spot.source = source;
+    spot.share = share;
     spot.word = texelFetch(draw_image, source, 0).x;
     spot.f = unpack_footprint(texelFetch(footprint_image, source, 0));
     spot.p = texelFetch(coordinate_image, source, 0).xyz + spot.f.dx * beyond.x + spot.f.dy * beyond.y;
@@ -76,6 +81,13 @@ void darkness_of_families(Spot spot, out float dark[most_families])
         dark[i] = 0.0;
     }
     towards_light = spot.towards_light;
+    if (has_loose_ends) {
+        for (uint family = 0u; family < 2u * constants.layers && sees_draw(spot.word); ++family) {
+            dark[family] =
+                spot.share * family_darkness(spot.source, spot.p, spot.f, spot.normal, spot.word, family);
+        }
+        return;
+    }
     Families families = Families(0u, false, spot.dark);
     while (is_any_left(families)) {
         uint family;
@@ -182,7 +194,7 @@ void trace_family(Spot a, Spot b, float dark_a, float dark_b, Turn turn, uint fa
 
 void trace_edge(Spot a, Spot b, Turn turn, uint edge, vec2 part)
 {
-    if (max(a.dark, b.dark) <= 0.0) {
+    if (!has_loose_ends && max(a.dark, b.dark) <= 0.0) {
         return;
     }
     float dark_a[most_families];
