@@ -16,6 +16,7 @@
 #include <estampe/tonal_art_map.hpp>
 
 #include "contact_sheet.hpp"
+#include "core/child/confine.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "drawing.hpp"
@@ -35,6 +36,9 @@ void run(const DevicesCommand& command)
                     "install one; mesa-vulkan-drivers draws on the processor");
     }
     fmt::print("{}", report_devices(devices, command.json));
+    if (!command.json) {
+        fmt::print("{}", report_protections(missing_protections()));
+    }
 }
 
 void run(const InfoCommand& command)

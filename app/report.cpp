@@ -407,6 +407,15 @@ std::string report_devices(const std::vector<DeviceInfo>& devices, bool json)
     return json ? to_text(list) : text;
 }
 
+std::string report_protections(const std::string& missing)
+{
+    return missing.empty()
+               ? std::string()
+               : fmt::format("files are decoded without {}: this kernel cannot keep a faulty decoder "
+                             "from changing files\n",
+                             missing);
+}
+
 std::string report_timings(const TimingReport& report, bool json)
 {
     double passes_ms = 0.0;

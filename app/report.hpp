@@ -21,6 +21,9 @@ namespace estampe::app {
 
 [[nodiscard]] std::string report_devices(const std::vector<DeviceInfo>& devices, bool json);
 
+/// Reports that the kernel lacks protections of missing_protections(). Empty if it lacks none.
+[[nodiscard]] std::string report_protections(const std::string& missing);
+
 /// Timings of one run of `estampe render`.
 struct TimingReport {
     std::string device;

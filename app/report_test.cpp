@@ -44,5 +44,13 @@ TEST(Report, FarBoundsHaveTheStepOfTheBox)
         << "no more digits than a double has";
 }
 
+TEST(Report, ProtectionsThatAKernelLacksAreNamed)
+{
+    EXPECT_EQ(report_protections(""), "");
+    const std::string line = report_protections("seccomp");
+    EXPECT_NE(line.find("decoded without seccomp"), std::string::npos);
+    EXPECT_EQ(line.find('\n'), line.size() - 1);
+}
+
 } // namespace
 } // namespace estampe::app

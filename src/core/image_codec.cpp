@@ -17,6 +17,7 @@
 #include <estampe/error.hpp>
 #include <estampe/image.hpp>
 
+#include "core/child/child.hpp"
 #include "core/file.hpp"
 #include "core/image_formats.hpp"
 
@@ -360,10 +361,25 @@ void save_png(const Image& image, const std::filesystem::path& path)
     write_file_atomically(path, bytes);
 }
 
-Image load_image(const std::filesystem::path& path)
+Image read_image(const std::filesystem::path& path)
 {
     constexpr uint64_t max_file_bytes = uint64_t{1} << 31;
     return decode_image(read_file(path, max_file_bytes), path.string());
+}
+
+bool is_well_formed(const Image& image)
+{
+    return image.width > 0 && image.height > 0 && image.width <= max_image_side &&
+           image.height <= max_image_side && image.rgba.size() == size_t{4} * image.width * image.height;
+}
+
+Image load_image(const std::filesystem::path& path)
+{
+    Image image = run_in_child([&path] { return read_image(path); }, limits_for_file(path), path.string());
+    if (!is_well_formed(image)) {
+        throw Error("what was read from it came back damaged", path.string());
+    }
+    return image;
 }
 
 } // namespace estampe

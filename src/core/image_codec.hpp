@@ -8,9 +8,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <estampe/image.hpp>
+
+#include "core/child/exchange.hpp"
 
 namespace estampe {
 
@@ -38,6 +41,22 @@ struct DeepImage {
 /// decode_image() does.
 [[nodiscard]] std::optional<DeepImage> decode_deep_image(std::span<const std::byte> data,
                                                          const std::string& name);
+
+/// Reads a picture file and decodes it in this process; for code that runs in a child process already. Other
+/// code calls load_image(), which decodes the file in a child process. Throws Error as load_image() does.
+[[nodiscard]] Image read_image(const std::filesystem::path& path);
+
+/// Lists the members of Image, for send() and receive() of core/child/exchange.hpp.
+template <Either<Image> T>
+auto members(T& image)
+{
+    auto& [width, height, rgba] = image;
+    return std::tie(width, height, rgba);
+}
+
+/// Returns whether the image has pixels, as many as its size says, and is within the limits above. For images
+/// that come from another process.
+[[nodiscard]] bool is_well_formed(const Image& image);
 
 /// Encodes an image as PNG marked as sRGB, optimised for speed rather than size. `dots_per_m` is the print
 /// resolution; 0 leaves it out. Throws Error if the image is empty or its size and bytes disagree.

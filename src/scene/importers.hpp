@@ -2,7 +2,7 @@
 #pragma once
 
 // The readers of all scene formats. Each reader of a file format has its own folder. load_scene() selects the
-// reader.
+// reader, and runs it in a child process. The functions of this header run in the process that calls them.
 
 #include <cstddef>
 #include <filesystem>
@@ -67,11 +67,11 @@ namespace estampe {
 
 /// Reads FBX and DAE (COLLADA) files with Assimp.
 ///
-/// Assimp runs in a child process with limits on time and memory, so that a file that crashes or hangs Assimp
-/// only causes an Error here. The indices, numbers and node tree of the result are checked. Bad triangles,
-/// bad normals and closed parts of meshes that are inside out are repaired, with a line in Scene::warnings.
-/// Smooth normals are computed if the file has none. All materials are double-sided, because FBX and COLLADA
-/// do not specify sides. Throws Error naming the file.
+/// A malicious file can crash or hang Assimp, so only a child process calls this function. The indices,
+/// numbers and node tree of the result are checked. Bad triangles, bad normals and closed parts of meshes
+/// that are inside out are repaired, with a line in Scene::warnings. Smooth normals are computed if the file
+/// has none. All materials are double-sided, because FBX and COLLADA do not specify sides. Throws Error
+/// naming the file.
 [[nodiscard]] Scene load_with_assimp(const std::filesystem::path& path);
 
 } // namespace estampe

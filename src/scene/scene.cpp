@@ -13,11 +13,14 @@
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
 
+#include "core/child/child.hpp"
 #include "core/file.hpp"
 #include "core/long_jobs.hpp"
 #include "core/text.hpp"
 #include "scene/importers.hpp"
 #include "scene/mending/repair.hpp"
+#include "scene/reader/check_scene.hpp"
+#include "scene/reader/members.hpp"
 #include "scene/scene_limits.hpp"
 #include "scene/up_axis.hpp"
 
@@ -154,9 +157,8 @@ void name_warnings(std::vector<std::string>& warnings, const std::string& name)
     }
 }
 
-} // namespace
-
-Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
+/// Reads a scene and makes it ready to be drawn. Runs in a child process.
+Scene read_whole(const std::filesystem::path& path, const LoadOptions& options)
 {
     Scene scene = read(path);
     scene.files.insert(scene.files.begin(), path);
@@ -168,12 +170,23 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
     turn_outside(scene);
     leave_out_outline_hulls(scene);
     find_cut_out_materials(scene);
-    report_progress(1.0);
+    report_progress(0.95);
     if (options.up) {
         turn_up(scene, *options.up);
     }
-    check_drawn_size(scene, path.string());
     name_warnings(scene.warnings, path.string());
+    return scene;
+}
+
+} // namespace
+
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
+{
+    const std::string where = path.string();
+    Scene scene = run_in_child([&] { return read_whole(path, options); }, limits_for_file(path), where);
+    check_received_scene(scene, where);
+    check_drawn_size(scene, where);
+    report_progress(1.0);
     return scene;
 }
 

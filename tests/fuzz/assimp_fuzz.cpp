@@ -3,6 +3,7 @@
 // Error. The first byte tells what the rest is: what the process sends, which is read here so that libFuzzer
 // sees every branch; or a file of a format, which is read in a process of its own.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,10 +16,8 @@
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
 
-#include "scene/assimp/transfer.hpp"
-#include "scene/importers.hpp"
-#include "scene/mending/mend.hpp"
-#include "scene/mending/repair.hpp"
+#include "scene/reader/check_scene.hpp"
+#include "scene/reader/members.hpp"
 
 namespace {
 
@@ -26,16 +25,20 @@ using namespace estampe;
 
 void read_sent(std::span<const std::byte> bytes)
 {
-    TransferScene transfer = unpack(bytes, "fuzz");
-    for (Mesh& mesh : transfer.scene.meshes) {
-        for (Primitive& primitive : mesh.primitives) {
-            mend_primitive(primitive, mesh.name, transfer.scene.warnings);
-        }
-    }
-    check_structure(transfer.scene, "fuzz");
-    turn_outside(transfer.scene);
-    const ScenePose pose = pose_scene(transfer.scene, 0.5);
-    (void)scene_bounds(transfer.scene, pose);
+    constexpr uint64_t budget_bytes = uint64_t{1} << 26U;
+    ByteReader reader(
+        [&bytes](std::span<std::byte> target) {
+            const size_t count = std::min(target.size(), bytes.size());
+            std::copy_n(bytes.begin(), count, target.begin());
+            bytes = bytes.subspan(count);
+            return count;
+        },
+        budget_bytes, "fuzz");
+    Scene scene;
+    receive(reader, scene);
+    check_received_scene(scene, "fuzz");
+    const ScenePose pose = pose_scene(scene, 0.5);
+    (void)scene_bounds(scene, pose);
 }
 
 void read_file_of(const char* extension, std::span<const std::byte> bytes)
@@ -44,7 +47,7 @@ void read_file_of(const char* extension, std::span<const std::byte> bytes)
         std::filesystem::temp_directory_path() / ("fuzz-" + std::to_string(getpid()) + extension);
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    const Scene scene = load_with_assimp(path);
+    const Scene scene = load_scene(path);
     (void)framing_camera(scene, pose_scene(scene, 0.5), 1.5);
 }
 

@@ -17,7 +17,6 @@
 #include <estampe/error.hpp>
 
 #include "core/file.hpp"
-#include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
 #include "scene/assimp/dae_document.hpp"
 #include "scene/assimp/fbx/document.hpp"
@@ -226,7 +225,7 @@ public:
 
 Conversion convert(const aiScene& source, const std::filesystem::path& path)
 {
-    Conversion conversion{.source = source, .transfer = {}, .node_of_name = {}, .node_of_source = {}};
+    Conversion conversion{.source = source, .result = {}, .node_of_name = {}, .node_of_source = {}};
     conversion.scene().name = path.stem().string();
     std::vector<std::pair<const aiNode*, Index>> drawn;
     add_nodes(conversion, drawn);
@@ -244,7 +243,7 @@ const aiScene& checked(const aiScene* scene, const Assimp::Importer& importer)
     return *scene;
 }
 
-TransferScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
+UndecodedScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
 {
     std::vector<std::byte> bytes = read_file(path);
     const std::span file(reinterpret_cast<char*>(bytes.data()), bytes.size());
@@ -258,10 +257,10 @@ TransferScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& 
     Conversion conversion = convert(checked(scene, importer), path);
     apply_fbx(conversion, document);
     warn_of_far_meshes(conversion.scene());
-    return std::move(conversion.transfer);
+    return std::move(conversion.result);
 }
 
-TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
+UndecodedScene read_dae(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
 {
     const dae::Document document = dae::read_document(path);
     const aiScene* const scene =
@@ -276,13 +275,13 @@ TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& 
     warn_of_far_meshes(conversion.scene());
     if (!document.moved_vertices)
         warn_of_far_nodes(conversion.scene());
-    return std::move(conversion.transfer);
+    return std::move(conversion.result);
 }
 
-/// Reads `path` with Assimp and converts the result to a scene. The function runs in a child process, because
-/// Assimp may crash or get stuck on a malicious file. The geometry is not repaired yet: faces share no
-/// vertices, and normals exist only if the file has them. Throws Error or std::bad_alloc.
-TransferScene read_with_assimp(const std::filesystem::path& path)
+/// Reads `path` with Assimp and converts the result to a scene. load_scene() calls this function in a child
+/// process, because Assimp may crash or get stuck on a malicious file. The geometry is not repaired yet:
+/// faces share no vertices, and normals exist only if the file has them. Throws Error or std::bad_alloc.
+UndecodedScene read_with_assimp(const std::filesystem::path& path)
 {
     constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
     Assimp::Importer importer;
@@ -293,10 +292,23 @@ TransferScene read_with_assimp(const std::filesystem::path& path)
         return read_fbx(importer, path, steps);
     if (extension == ".dae")
         return read_dae(importer, path, steps);
-    return convert(checked(importer.ReadFile(path.string(), steps), importer), path).transfer;
+    return convert(checked(importer.ReadFile(path.string(), steps), importer), path).result;
 }
 
-uint64_t size_of_file(const std::filesystem::path& path)
+/// Calls read_with_assimp(). Messages of Assimp get the file as their place.
+UndecodedScene read_naming_file(const std::filesystem::path& path)
+{
+    try {
+        return read_with_assimp(path);
+    } catch (const Error& error) {
+        if (!error.where().empty())
+            throw;
+        throw Error(error.what(), path.string(),
+                    "check that the file opens in other programs, or convert it to glTF");
+    }
+}
+
+void check_file(const std::filesystem::path& path)
 {
     std::error_code failed;
     const auto status = std::filesystem::status(path, failed);
@@ -307,7 +319,6 @@ uint64_t size_of_file(const std::filesystem::path& path)
     const auto size = std::filesystem::file_size(path, failed);
     if (failed || size == 0)
         throw Error(failed ? "cannot be read" : "is empty", path.string(), "check the file");
-    return size;
 }
 
 /// Converts light intensities to physical units. In FBX and DAE, a light of intensity 1 makes a white surface
@@ -339,20 +350,15 @@ void give_lights_units(Scene& scene)
 
 Scene load_with_assimp(const std::filesystem::path& path)
 {
-    const uint64_t size = size_of_file(path);
+    check_file(path);
     if (lower_extension(path) == ".fbx")
         fbx::check_version(path);
-    ChildLimits limits;
-    limits.cpu_s = static_cast<uint32_t>(std::min<uint64_t>(10 + (size >> 20), 60));
-    limits.memory_bytes = std::min<uint64_t>((uint64_t{512} << 20) + 64 * size, uint64_t{16} << 30);
-    const std::vector<std::byte> bytes =
-        run_in_child([&path] { return pack(read_with_assimp(path)); }, limits, path.string());
-    TransferScene transfer = unpack(bytes, path.string());
-    Scene& scene = transfer.scene;
+    UndecodedScene undecoded = read_naming_file(path);
+    Scene& scene = undecoded.scene;
     mend_meshes(scene, path.string());
     check_structure(scene, path.string());
     FileFinder finder({path.parent_path()});
-    load_pictures(scene, transfer.images, finder);
+    load_pictures(scene, undecoded.images, finder);
     give_lights_units(scene);
     return std::move(scene);
 }

@@ -61,7 +61,7 @@ Index texture_of(Conversion& conversion, const aiMaterial& material, aiTextureTy
     if (const aiTexture* const embedded = conversion.source.GetEmbeddedTexture(file.C_Str()))
         take_embedded(*embedded, texture, image);
     textures.push_back(std::move(texture));
-    conversion.transfer.images.push_back(std::move(image));
+    conversion.result.images.push_back(std::move(image));
     return static_cast<Index>(textures.size() - 1);
 }
 

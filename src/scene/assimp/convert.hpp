@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts an Assimp scene to an Estampe scene, with one function for each kind of data. The functions in
-// this file run in a child process.
+// Converts an Assimp scene to an Estampe scene, with one function for each kind of data.
 
 #include <filesystem>
 #include <map>
@@ -15,18 +14,24 @@
 #include <estampe/scene.hpp>
 
 #include "scene/assimp/fbx/document.hpp"
-#include "scene/assimp/transfer.hpp"
+#include "scene/pictures/picture_files.hpp"
 
 namespace estampe {
+
+/// A scene whose textures are not decoded yet. `images` has one entry per texture.
+struct UndecodedScene {
+    Scene scene;
+    std::vector<ImageSource> images;
+};
 
 /// State of the conversion from Assimp. Assimp refers to nodes by name, so a map finds the node of a name.
 struct Conversion {
     const aiScene& source;
-    TransferScene transfer;
+    UndecodedScene result;
     std::map<std::string, Index> node_of_name;
     std::unordered_map<const aiNode*, Index> node_of_source;
 
-    [[nodiscard]] Scene& scene() { return transfer.scene; }
+    [[nodiscard]] Scene& scene() { return result.scene; }
 
     [[nodiscard]] Index find_node(const aiString& name) const;
 };

@@ -17,6 +17,7 @@
 #include <estampe/scene.hpp>
 
 #include "core/free_memory.hpp"
+#include "core/image_codec.hpp"
 #include "scene/input/input.hpp"
 #include "scene/pictures/picture_files.hpp"
 
@@ -188,7 +189,7 @@ Textures::Picture& Textures::decoded(const std::string& name, FileFinder& finder
             if (place.empty())
                 throw Error("no such file", name, "put the picture beside the scene's file");
             scene_.files.emplace_back(place);
-            known->second.image = load_image(place);
+            known->second.image = read_image(place);
         } catch (const Error& error) {
             scene_.warnings.push_back(fmt::format("texture left white: {}", error.what()));
         }

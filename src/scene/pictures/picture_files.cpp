@@ -206,7 +206,7 @@ void load_pictures(Scene& scene, const std::vector<ImageSource>& sources, FileFi
             const auto [known, is_new] = texture_of_file.emplace(file, i);
             if (is_new)
                 scene.files.push_back(file);
-            image = is_new ? load_image(file) : scene.textures[known->second].image;
+            image = is_new ? read_image(file) : scene.textures[known->second].image;
         } catch (const Error& error) {
             scene.warnings.push_back(fmt::format("texture left white: {}", error.what()));
             image = {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};

@@ -11,6 +11,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/child/child.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 
@@ -68,9 +69,7 @@ uint8_t byte_of(double component)
     return static_cast<uint8_t>(std::lround(127.5 * (component + 1.0)));
 }
 
-} // namespace
-
-HeightMap load_height_map(const std::filesystem::path& path)
+HeightMap decode_height_map(const std::filesystem::path& path)
 {
     const std::vector<std::byte> bytes = read_file(path);
     if (const std::optional<DeepImage> deep = decode_deep_image(bytes, path.string())) {
@@ -78,6 +77,25 @@ HeightMap load_height_map(const std::filesystem::path& path)
     }
     const Image image = decode_image(bytes, path.string());
     return heights_of<uint8_t>(image.width, image.height, image.rgba, 255);
+}
+
+} // namespace
+
+template <Either<HeightMap> T>
+auto members(T& map)
+{
+    auto& [width, height, heights, steps] = map;
+    return std::tie(width, height, heights, steps);
+}
+
+HeightMap load_height_map(const std::filesystem::path& path)
+{
+    HeightMap map =
+        run_in_child([&path] { return decode_height_map(path); }, limits_for_file(path), path.string());
+    if (map.heights.empty() || map.heights.size() != uint64_t{map.width} * map.height) {
+        throw Error("what was read from it came back damaged", path.string());
+    }
+    return map;
 }
 
 Image make_normal_map(const HeightMap& map, const NormalMapSettings& settings)

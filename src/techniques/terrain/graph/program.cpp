@@ -13,6 +13,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/child/child.hpp"
 #include "core/exr.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
@@ -197,43 +198,66 @@ void check_room(const Program& program, size_t added)
     }
 }
 
-/// Appends the mean of the colour channels of each pixel of a picture (Image or DeepImage), scaled so that
+/// Heights of a picture file, in rows from the top.
+struct PictureHeights {
+    uint32_t columns = 0;
+    uint32_t rows = 0;
+    std::vector<float> texels;
+};
+
+template <Either<PictureHeights> T>
+auto members(T& heights)
+{
+    auto& [columns, rows, texels] = heights;
+    return std::tie(columns, rows, texels);
+}
+
+/// Returns the mean of the colour channels of each pixel of a picture (Image or DeepImage), scaled so that
 /// white is 1.
 template <class Picture>
-HeightTexture append_picture(Program& program, const Picture& image)
+PictureHeights heights_of(const Picture& image)
 {
     using Value = typename decltype(Picture::rgba)::value_type;
     constexpr auto white = static_cast<float>(3 * std::numeric_limits<Value>::max());
-    const size_t count = size_t{image.width} * image.height;
-    check_room(program, count);
-    for (size_t pixel = 0; pixel < count; ++pixel) {
-        const Value* const parts = &image.rgba[pixel * 4];
-        program.texels.push_back(static_cast<float>(parts[0] + parts[1] + parts[2]) / white);
+    PictureHeights heights{.columns = image.width, .rows = image.height, .texels = {}};
+    for (size_t first = 0; first + 3 < image.rgba.size(); first += 4) {
+        const Value* const parts = &image.rgba[first];
+        heights.texels.push_back(static_cast<float>(parts[0] + parts[1] + parts[2]) / white);
     }
-    return {.columns = image.width, .rows = image.height};
+    return heights;
 }
 
-HeightTexture append_floats(Program& program, const std::vector<std::byte>& bytes, const std::string& path)
+PictureHeights heights_of(const LightImage& image)
 {
-    const ExrFile file = decode_exr(bytes, path);
-    const size_t count = size_t{file.image.width} * file.image.height;
-    check_room(program, count);
-    for (size_t pixel = 0; pixel < count; ++pixel) {
-        program.texels.push_back(file.image.texels[pixel].x);
+    PictureHeights heights{.columns = image.width, .rows = image.height, .texels = {}};
+    for (const glm::vec3& texel : image.texels) {
+        heights.texels.push_back(texel.x);
     }
-    return {.columns = file.image.width, .rows = file.image.height};
+    return heights;
+}
+
+PictureHeights decode_heights(const std::filesystem::path& path)
+{
+    constexpr uint64_t largest_bytes = uint64_t{1} << 30;
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    const std::string name = path.string();
+    if (is_exr(bytes)) {
+        return heights_of(decode_exr(bytes, name).image);
+    }
+    const std::optional<DeepImage> deep = decode_deep_image(bytes, name);
+    return deep ? heights_of(*deep) : heights_of(decode_image(bytes, name));
 }
 
 HeightTexture append_file(Program& program, const std::filesystem::path& path)
 {
-    constexpr uint64_t largest_bytes = uint64_t{1} << 30;
-    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
-    if (is_exr(bytes)) {
-        return append_floats(program, bytes, path.string());
+    const PictureHeights heights =
+        run_in_child([&path] { return decode_heights(path); }, limits_for_file(path), path.string());
+    if (heights.texels.empty() || heights.texels.size() != uint64_t{heights.columns} * heights.rows) {
+        throw Error("what was read from it came back damaged", path.string());
     }
-    const std::optional<DeepImage> deep = decode_deep_image(bytes, path.string());
-    return deep ? append_picture(program, *deep)
-                : append_picture(program, decode_image(bytes, path.string()));
+    check_room(program, heights.texels.size());
+    program.texels.insert(program.texels.end(), heights.texels.begin(), heights.texels.end());
+    return {.columns = heights.columns, .rows = heights.rows};
 }
 
 } // namespace

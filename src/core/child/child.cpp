@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+#include "core/child/child.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <span>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "core/child/confine.hpp"
+#include "core/free_memory.hpp"
+#include "core/long_jobs.hpp"
+
+#if defined(__SANITIZE_THREAD__)
+// The thread sanitizer otherwise ends a child process that tries to start a thread, if its parent has
+// several.
+extern "C" const char* __tsan_default_options()
+{
+    return "die_after_fork=0";
+}
+#endif
+
+namespace estampe {
+namespace child {
+namespace {
+
+constexpr const char* try_others = "check that the file opens in other programs, or convert it to glTF";
+
+/// Kind of a message from the child process. The message's content follows.
+enum class Message : uint8_t { progress, result, error, out_of_memory, cannot_confine };
+
+bool is_valid(Message message)
+{
+    switch (message) {
+    case Message::progress:
+    case Message::result:
+    case Message::error:
+    case Message::out_of_memory:
+    case Message::cannot_confine:
+        return true;
+    }
+    return false;
+}
+
+/// Follows the result, which shows that the child sent all of it.
+constexpr uint32_t end_mark = 0x20646e65;
+
+/// The parts of an Error, which make the same message again.
+struct ErrorParts {
+    std::string what;
+    std::string where;
+    std::string remedy;
+};
+
+template <Either<ErrorParts> T>
+auto members(T& error)
+{
+    auto& [what, where, remedy] = error;
+    return std::tie(what, where, remedy);
+}
+
+/// Splits an Error into its parts. The message is "where: what; remedy" without the parts that are empty.
+ErrorParts parts_of(const Error& error)
+{
+    std::string_view what = error.what();
+    what.remove_prefix(error.where().empty() ? 0 : error.where().size() + 2);
+    what.remove_suffix(error.remedy().empty() ? 0 : error.remedy().size() + 2);
+    return {.what = std::string(what), .where = error.where(), .remedy = error.remedy()};
+}
+
+// The child process
+
+void take_default_signals()
+{
+    for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGXCPU, SIGPIPE})
+        (void)std::signal(number, SIG_DFL);
+    // A terminal sends these signals to both processes. The parent decides what they mean, and the child ends
+    // with the parent.
+    for (const int number : {SIGINT, SIGHUP, SIGQUIT, SIGXFSZ})
+        (void)std::signal(number, SIG_IGN);
+    sigset_t none;
+    sigemptyset(&none);
+    (void)sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+/// Takes the rights of the child process away. Returns false if a right remains that `limits` exclude.
+bool enter_limits(const ChildLimits& limits, int pipe_end)
+{
+    (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
+    (void)prctl(PR_SET_NAME, "estampe-read");
+    take_default_signals();
+    const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (nowhere >= 0)
+        for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+            (void)dup2(nowhere, stream);
+    drop_shared(pipe_end);
+    limit_resources(limits.cpu_s, limits.memory_bytes);
+    const bool has_files_forbidden = forbid_files(limits.readable_below);
+    (void)forbid_system_calls();
+    return has_files_forbidden || !limits.readable_below;
+}
+
+void write_to_pipe(int pipe_end, std::span<const std::byte> bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = write(pipe_end, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR)
+            _exit(3);
+        bytes = bytes.subspan(static_cast<size_t>(std::max<ssize_t>(count, 0)));
+    }
+}
+
+void do_work(ByteWriter& writer, const std::function<Send()>& work)
+{
+    const ProgressWatch watch([&writer](double share) {
+        send(writer, Message::progress);
+        send(writer, share);
+        writer.flush();
+        return true;
+    });
+    try {
+        const Send send_result = work();
+        send(writer, Message::result);
+        send_result(writer);
+        send(writer, end_mark);
+    } catch (const std::bad_alloc&) {
+        send(writer, Message::out_of_memory);
+    } catch (const Error& error) {
+        send(writer, Message::error);
+        send(writer, parts_of(error));
+    } catch (const std::exception& error) {
+        send(writer, Message::error);
+        send(writer, ErrorParts{.what = error.what(), .where = {}, .remedy = {}});
+    }
+}
+
+[[noreturn]] void be_child(int pipe_end, const std::function<Send()>& work, const ChildLimits& limits)
+{
+    ByteWriter writer([pipe_end](std::span<const std::byte> bytes) { write_to_pipe(pipe_end, bytes); });
+    if (enter_limits(limits, pipe_end))
+        do_work(writer, work);
+    else
+        send(writer, Message::cannot_confine);
+    writer.flush();
+    // Ends the child process without running destructors and exit handlers, which belong to the parent
+    // process.
+    _exit(0);
+}
+
+// The parent process
+
+using Clock = std::chrono::steady_clock;
+
+/// A running child process. The destructor ends it.
+class Running {
+public:
+    Running(pid_t process, int pipe_end, double wall_s)
+        : process_(process), pipe_end_(pipe_end),
+          end_(Clock::now() +
+               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wall_s)))
+    {
+    }
+
+    ~Running()
+    {
+        if (process_ > 0)
+            end();
+        close(pipe_end_);
+    }
+
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+    /// Reads some bytes. Returns 0 if the child has closed the pipe or has had its time. While it waits,
+    /// repeats the progress, so that the job can be cancelled.
+    size_t read_some(std::span<std::byte> target)
+    {
+        constexpr int tick_ms = 100;
+        while (true) {
+            if (Clock::now() >= end_) {
+                is_late_ = true;
+                return 0;
+            }
+            pollfd waiting{.fd = pipe_end_, .events = POLLIN, .revents = 0};
+            const int ready = poll(&waiting, 1, tick_ms);
+            if (ready == 0)
+                report_progress(share_);
+            if (ready <= 0)
+                continue;
+            const ssize_t count = read(pipe_end_, target.data(), target.size());
+            if (count >= 0 || errno != EINTR)
+                return static_cast<size_t>(std::max<ssize_t>(count, 0));
+        }
+    }
+
+    void take_progress(double share)
+    {
+        share_ = std::clamp(share, 0.0, 1.0);
+        report_progress(share_);
+    }
+
+    /// Waits until the child has ended. Ends it first if it has had its time, or if it closed the pipe but
+    /// goes on. Returns its status.
+    int wait()
+    {
+        constexpr int most_tries = 1000;
+        int status = 0;
+        pid_t ended = 0;
+        for (int i = 0; i < most_tries && ended == 0 && !is_late_; ++i) {
+            ended = waitpid(process_, &status, WNOHANG);
+            if (ended == 0)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        if (ended == 0)
+            end();
+        process_ = -1;
+        return status;
+    }
+
+    [[nodiscard]] bool is_late() const { return is_late_; }
+
+private:
+    void end() const
+    {
+        (void)kill(process_, SIGKILL);
+        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
+    }
+
+    pid_t process_;
+    int pipe_end_;
+    Clock::time_point end_;
+    double share_ = 0.0;
+    bool is_late_ = false;
+};
+
+/// Tells why a child process ended without a complete message.
+[[noreturn]] void fail_by_status(Running& running, const std::string& where)
+{
+    const int status = running.wait();
+    if (running.is_late() || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
+        throw Error("reading it took too long, and was given up", where, try_others);
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+        throw Error("reading it was ended by the system, which may be short of memory", where, try_others);
+    if (WIFSIGNALED(status))
+        throw Error(fmt::format("reading it crashed (signal {})", WTERMSIG(status)), where, try_others);
+    throw Error("reading it failed without a word", where, try_others);
+}
+
+/// Thrown when the bytes of the child end before its message is complete.
+class EndsEarly : public std::exception {};
+
+[[noreturn]] void throw_error(ByteReader& reader, const std::string& where)
+{
+    constexpr size_t most_characters = 4000;
+    ErrorParts error;
+    receive(reader, error);
+    for (std::string* const part : {&error.what, &error.where, &error.remedy})
+        part->resize(std::min(part->size(), most_characters));
+    if (error.where.empty() && error.remedy.empty())
+        error.remedy = try_others;
+    throw Error(error.what, error.where.empty() ? where : error.where, error.remedy);
+}
+
+void take_messages(Running& running, const std::function<void(ByteReader&)>& receive_result,
+                   const ChildLimits& limits, const std::string& where)
+{
+    ByteReader reader(
+        [&running](std::span<std::byte> target) {
+            const size_t count = running.read_some(target);
+            return count > 0 ? count : throw EndsEarly();
+        },
+        limits.memory_bytes, where);
+    for (Message message = Message::progress; message != Message::result;) {
+        receive(reader, message);
+        switch (message) {
+        case Message::progress: {
+            double share = 0.0;
+            receive(reader, share);
+            running.take_progress(share);
+            break;
+        }
+        case Message::result:
+            break;
+        case Message::error:
+            throw_error(reader, where);
+        case Message::out_of_memory:
+            throw Error("reading it takes more memory than a file of this size should", where, try_others);
+        case Message::cannot_confine:
+            throw Error(fmt::format("reading cannot be confined to {}: {}",
+                                    limits.readable_below.value_or("a folder").string(),
+                                    missing_protections().empty() ? "it is no folder that can be opened"
+                                                                  : "this kernel lacks Landlock"),
+                        where, "name another folder, or read without this limit");
+        }
+    }
+    receive_result(reader);
+    uint32_t mark = 0;
+    receive(reader, mark);
+    if (mark != end_mark)
+        reader.damaged();
+}
+
+} // namespace
+
+void run(const std::function<Send()>& work, const std::function<void(ByteReader&)>& receive,
+         const ChildLimits& limits, const std::string& where)
+{
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+        throw Error(fmt::format("cannot open a pipe ({})", std::strerror(errno)), where);
+    constexpr int pipe_bytes = 1 << 20; // fewer changes between the two processes
+    (void)fcntl(ends[0], F_SETPIPE_SZ, pipe_bytes);
+    const pid_t process = fork();
+    if (process == 0)
+        be_child(ends[1], work, limits);
+    const int fork_errno = errno;
+    close(ends[1]);
+    if (process < 0) {
+        close(ends[0]);
+        throw Error(fmt::format("cannot start a process to read it in ({})", std::strerror(fork_errno)),
+                    where);
+    }
+    Running running(process, ends[0], limits.wall_s);
+    try {
+        take_messages(running, receive, limits, where);
+    } catch (const EndsEarly&) {
+        fail_by_status(running, where);
+    } catch (const std::bad_alloc&) {
+        throw Error("does not fit into memory", where);
+    }
+}
+
+} // namespace child
+
+ChildLimits limits_for_file(const std::filesystem::path& path)
+{
+    // Half a minute suffices for the largest pictures that a scene may have, and for a hundred million
+    // vertices.
+    constexpr uint64_t base_s = 60;
+    constexpr uint64_t each_mebibyte_s = 4;
+    constexpr uint64_t most_s = 7200;
+    // Twice the memory of the largest pictures that a scene may have.
+    constexpr uint64_t base_bytes = uint64_t{4} << 30U;
+    constexpr uint64_t bytes_each_byte = 64;
+    std::error_code failed;
+    const uintmax_t found = std::filesystem::file_size(path, failed);
+    const uint64_t size = failed ? 0 : std::min<uint64_t>(found, uint64_t{1} << 40U);
+    ChildLimits limits;
+    limits.cpu_s = static_cast<uint32_t>(std::min(base_s + each_mebibyte_s * (size >> 20U), most_s));
+    limits.wall_s = 2.0 * limits.cpu_s;
+    // A small file may name large buffers beside it.
+    constexpr uint64_t most_bytes = uint64_t{1} << 40U;
+    limits.memory_bytes =
+        std::min(std::max(base_bytes + bytes_each_byte * size, free_memory_bytes() / 2), most_bytes);
+    return limits;
+}
+
+} // namespace estampe
