@@ -6,7 +6,6 @@
 #include <exception>
 #include <filesystem>
 #include <map>
-#include <new>
 #include <span>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +16,7 @@
 #include <estampe/error.hpp>
 
 #include "commands.hpp"
+#include "core/failure.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "drawing.hpp"
@@ -458,6 +458,18 @@ public:
         return scene_;
     }
 
+    /// Opens the device again after it was lost, so that the next job does not fail, too. If that fails, the
+    /// next job reports why.
+    void open_again(const RendererOptions& device)
+    {
+        is_there_ = false;
+        try {
+            renderer_ = Renderer(device);
+        } catch (const Error&) {
+            return; // The renderer of the lost device stays
+        }
+    }
+
 private:
     Renderer& renderer_;
     Scene scene_;
@@ -480,10 +492,11 @@ JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job,
             draw_and_write(renderer, scene, command);
         }
         result.status = JobResult::Status::done;
-    } catch (const std::bad_alloc&) {
-        result.error = "out of memory; try a smaller size or scene";
-    } catch (const std::exception& problem) {
+    } catch (const DeviceLost& problem) {
         result.error = one_line(problem.what());
+        scenes.open_again(device);
+    } catch (const std::exception&) {
+        result.error = one_line(message_of_caught());
     }
     result.seconds = seconds_since(start);
     return result;

@@ -301,7 +301,7 @@ std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::
         }
     }
     const bool is_unknown_word = problem.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    const bool takes_worlds = command.get_option_no_throw("--world") != nullptr;
+    const bool takes_worlds = find_option(command, "world") != nullptr;
     const std::vector<std::string> unknown = app.remaining(true);
     for (size_t i = 0; i < words.size() && is_unknown_word && takes_worlds; ++i) {
         const std::string word = words[i];

@@ -6,14 +6,12 @@
 #include <functional>
 #include <future>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <estampe/error.hpp>
 #include <estampe/film.hpp>
@@ -23,6 +21,7 @@
 #include "core/long_jobs.hpp"
 #include "drawing.hpp"
 #include "features/common/style_tables.hpp"
+#include "film_camera.hpp"
 #include "film_frames.hpp"
 #include "messages.hpp"
 #include "options.hpp"
@@ -35,130 +34,6 @@
 
 namespace estampe::app {
 namespace {
-
-constexpr int moment_count = 13; // Number of times at which moving parts are sampled
-constexpr int side_count = 12;   // Number of directions from which the view of a turntable is checked
-
-Camera turned(const Camera& camera, double turn)
-{
-    const glm::dmat4 rotation =
-        glm::rotate(glm::dmat4(1.0), 2.0 * std::numbers::pi * turn, glm::dvec3(0.0, 1.0, 0.0));
-    Camera other = camera;
-    other.eye = camera.target + glm::dvec3(rotation * glm::dvec4(camera.eye - camera.target, 0.0));
-    other.up = glm::dvec3(rotation * glm::dvec4(camera.up, 0.0));
-    return other;
-}
-
-/// Returns how far the box reaches from the middle of the page: 1 is the edge of the page.
-double reach(const Camera& camera, const Bounds& box, double aspect)
-{
-    const std::optional<double>& half_height_m = camera.orthographic_half_height_m;
-    const glm::dmat4 view = glm::lookAt(camera.eye, camera.target, camera.up);
-    const double tangent = std::tan(0.5 * camera.vertical_fov_rad);
-    double most = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 place((corner & 1) != 0 ? box.max.x : box.min.x,
-                               (corner & 2) != 0 ? box.max.y : box.min.y,
-                               (corner & 4) != 0 ? box.max.z : box.min.z);
-        const glm::dvec3 seen(view * glm::dvec4(place, 1.0));
-        const double half_m = half_height_m.value_or(std::max(-seen.z, camera.near_m) * tangent);
-        most = std::max({most, std::abs(seen.y) / half_m, std::abs(seen.x) / (half_m * aspect)});
-    }
-    return most;
-}
-
-/// Moves the eye away from the target until all of `boxes` fit on the page from all of `sides`, with the same
-/// margin as the first box has from the first side.
-Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int sides, double aspect)
-{
-    const auto farthest = [&](const Camera& from) {
-        double most = 0.0;
-        for (int side = 0; side < sides; ++side) {
-            const Camera seen = turned(from, static_cast<double>(side) / sides);
-            for (const Bounds& box : boxes) {
-                most = std::max(most, reach(seen, box, aspect));
-            }
-        }
-        return most;
-    };
-    const double allowed = reach(camera, boxes.front(), aspect);
-    Camera away = camera;
-    constexpr int rounds = 24;
-    for (int round = 0; round < rounds && farthest(away) > 1.001 * allowed; ++round) {
-        const double farther = std::min(farthest(away) / allowed, 1.3);
-        away.eye = away.target + (away.eye - away.target) * farther;
-        if (away.orthographic_half_height_m) {
-            *away.orthographic_half_height_m *= farther;
-        }
-    }
-    return away;
-}
-
-/// The camera of a film. A camera that shows the whole scene does not move; it is so far away that all later
-/// movement is in view. A camera of the file moves as in the file. In a turntable film, the camera turns once
-/// around its target. A world's own film has its own camera path.
-class FilmCamera {
-public:
-    /// Chooses the camera for the frames from `begin_s` to `end_s`; the camera follows `path` unless `path`
-    /// is null. Throws Error as choose_camera() does. For a view of the whole scene the cost is one call of
-    /// framing_camera() and several calls of scene_bounds().
-    FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s, double end_s,
-               bool turntable, std::shared_ptr<const worlds::CameraPath> path = nullptr);
-
-    /// Returns the film's camera at a time. In a turntable film, `turn` is the position in the turn around
-    /// the scene, 0 to 1.
-    [[nodiscard]] Camera at(double time_s, double turn) const;
-
-private:
-    const DrawOptions& draw_;
-    const Scene& scene_;
-    Index animation_;
-    std::shared_ptr<const worlds::CameraPath> path_;
-    /// Camera that does not move; nothing if the film uses a camera of the scene's file, which may move.
-    std::optional<Camera> still_;
-};
-
-FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s,
-                       double end_s, bool turntable, std::shared_ptr<const worlds::CameraPath> path)
-    : draw_(draw), scene_(scene), animation_(animation), path_(std::move(path))
-{
-    if (path_ || has_camera_of_file(draw, scene)) {
-        return;
-    }
-    DrawOptions first = draw;
-    first.time_s = begin_s;
-    still_ = choose_camera(first, scene, animation);
-    const ViewDirection& from = draw.camera.direction;
-    const bool is_framed =
-        draw.camera.kind != CameraChoice::Kind::placed && !from.distance_m && !from.half_height_m;
-    const int sides = turntable ? side_count : 1;
-    const int moments = scene.animations.empty() ? 1 : moment_count;
-    if (!is_framed || sides * moments == 1) {
-        return;
-    }
-    std::vector<Bounds> boxes;
-    for (int i = 0; i < moments; ++i) {
-        const double time_s = begin_s + (end_s - begin_s) * i / std::max(moments - 1, 1);
-        boxes.push_back(scene_bounds(scene, pose_scene(scene, time_s, animation)));
-    }
-    if (!boxes.front().empty()) {
-        still_ =
-            far_enough(*still_, boxes, sides, draw.style.window_aspect(draw.page.width, draw.page.height));
-    }
-}
-
-Camera FilmCamera::at(double time_s, double turn) const
-{
-    if (path_) {
-        return path_->camera(time_s - draw_.time_s);
-    }
-    if (still_) {
-        return turned(*still_, turn);
-    }
-    DrawOptions now = draw_;
-    now.time_s = time_s;
-    return turned(choose_camera(now, scene_, animation_), turn);
-}
 
 /// Playing time of an animation in seconds, from the start of the file's time range.
 double playing_s(const Animation& animation)
@@ -292,15 +167,13 @@ class FilmJob {
 public:
     FilmJob(const RenderCommand& command, const FilmChoice& film, const Scene& scene, Index animation,
             Renderer& renderer)
-        : draw_(command.draw), film_(film), animation_(animation), renderer_(renderer),
-          animator_(draw_, scene, worlds::Occasion::film),
-          path_(film.flies ? animator_.film_camera(scene) : nullptr),
+        : draw_(command.draw), film_(film), scene_(scene), animation_(animation), renderer_(renderer),
+          animator_(std::in_place, draw_, scene, worlds::Occasion::film),
+          path_(film.flies ? animator_->film_camera(scene) : nullptr),
           camera_(draw_, scene, animation, time_s(film.first), time_s(film.last), film.turntable, path_),
           frames_(draw_.output, fingerprint(draw_, film, scene, renderer)), times_passes_(command.timings)
     {
-        if (path_ && path_->end_s()) {
-            animator_.end_at(draw_.time_s + *path_->end_s());
-        }
+        tell_end();
         if (is_film(draw_.output)) {
             writer_.emplace(draw_.output, draw_.page.width, draw_.page.height, film.frames_per_s,
                             is_transparent(draw_.style));
@@ -327,10 +200,8 @@ public:
         for (uint32_t number = film_.first; number < next && writer_; ++number) {
             writer_->add(load_image(frames_.path_of(number)));
         }
-        for (uint32_t number = film_.first; number < next; ++number) {
-            animator_.go_to(time_s(number), camera_.at(time_s(number), turn_at(number)));
-        }
-        renderer_.recall_film(state->memory);
+        kept_ = {next, state->memory};
+        recall_kept();
         return next;
     }
 
@@ -350,11 +221,17 @@ public:
         while (next <= film_.last && !stops) {
             progress.show(share(next), fmt::format("frame {} of {}", next, film_.last));
             const Clock::time_point start = Clock::now();
-            FilmQueue::Frame frame{.number = next, .image = draw_frame(next)};
+            FilmQueue::Frame frame{.number = next};
+            outlasting_lost_devices(next, [&] {
+                frame.image = draw_frame(next);
+                stops = stops || was_told_to_stop();
+                if (stops || next == film_.last || seconds_since(kept) > keep_s) {
+                    frame.memory = renderer_.film_memory();
+                }
+            });
             add_cost(next, seconds_since(start));
-            stops = was_told_to_stop();
-            if (stops || next == film_.last || seconds_since(kept) > keep_s) {
-                frame.memory = renderer_.film_memory();
+            if (frame.memory) {
+                kept_ = {next + 1, *frame.memory};
                 kept = Clock::now();
             }
             queue.push(std::move(frame));
@@ -379,6 +256,68 @@ public:
     [[nodiscard]] const FilmCost& cost() const { return cost_; }
 
 private:
+    /// Tells the film's world where its camera path ends.
+    void tell_end()
+    {
+        if (path_ && path_->end_s()) {
+            animator_->end_at(draw_.time_s + *path_->end_s());
+        }
+    }
+
+    /// Brings world and renderer to the state after the last frame whose memory was kept.
+    void recall_kept()
+    {
+        for (uint32_t number = film_.first; number < kept_.next; ++number) {
+            animator_->go_to(time_s(number), camera_.at(time_s(number), turn_at(number)));
+        }
+        renderer_.recall_film(kept_.memory);
+    }
+
+    /// Calls `draw`, which draws frame `number`. If the graphics device is lost, opens another one, brings it
+    /// to the state before the frame, and calls `draw` again.
+    template <typename Draw>
+    void outlasting_lost_devices(uint32_t number, const Draw& draw)
+    {
+        constexpr int most_losses = 3; // Of one frame: a frame that kills each device is not drawn forever
+        for (int losses = 0;; ++losses) {
+            try {
+                if (losses > 0) {
+                    open_again(number);
+                }
+                draw();
+                return;
+            } catch (const DeviceLost&) {
+                if (losses == most_losses) {
+                    throw;
+                }
+                print_warnings({fmt::format("the graphics device was lost in frame {}; the film goes on with "
+                                            "another",
+                                            number)});
+            }
+        }
+    }
+
+    /// Opens another device, and brings it to the state before frame `number`: from the memory of an earlier
+    /// frame, or from the film's beginning. The frames between are drawn again, but not written.
+    void open_again(uint32_t number)
+    {
+        RendererOptions options = draw_.device;
+        if (!renderer_.device().software) {
+            // A second measurement might choose the other path, which does not give the same bytes.
+            options.raster = renderer_.raster_path();
+        }
+        renderer_ = Renderer(options);
+        set_scene(renderer_, scene_, draw_);
+        animator_.emplace(draw_, scene_, worlds::Occasion::film);
+        tell_end();
+        if (kept_.next > film_.first) {
+            recall_kept();
+        }
+        for (uint32_t earlier = std::max(kept_.next, film_.first); earlier < number; ++earlier) {
+            static_cast<void>(draw_frame(earlier));
+        }
+    }
+
     void add_cost(uint32_t number, double drawing_s)
     {
         cost_.drawing_s += drawing_s;
@@ -448,7 +387,7 @@ private:
         settings.continuity = number == film_.first ? Continuity::starts : Continuity::follows;
         settings.time_passes = times_passes(number);
         const Camera camera = camera_.at(settings.time_s, turn_at(number));
-        const Style style = animator_.show(renderer_, settings.time_s, camera);
+        const Style style = animator_->show(renderer_, settings.time_s, camera);
         settings.exposure_end = exposure_end(number, style.tables().motion_blur);
         Image image = renderer_.render(camera, style, settings);
         if (!has_noted_) {
@@ -460,14 +399,17 @@ private:
 
     const DrawOptions& draw_;
     const FilmChoice& film_;
+    const Scene& scene_;
     Index animation_;
     Renderer& renderer_;
-    WorldAnimator animator_;
+    std::optional<WorldAnimator> animator_;
     /// Camera path of the world's own film; null for other films.
     std::shared_ptr<const worlds::CameraPath> path_;
     FilmCamera camera_;
     FilmFrames frames_;
     std::optional<FilmWriter> writer_;
+    FilmState
+        kept_; ///< last state from which the film can be taken up again; its `next` is 1 if there is none
     bool times_passes_;
     FilmCost cost_;
     bool has_noted_ = false;

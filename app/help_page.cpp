@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "option_values.hpp"
 
 namespace estampe::app {
 namespace {
@@ -51,7 +52,7 @@ Options options_in(const CLI::App& command, const OptionGroup& group)
 {
     Options found;
     for (const char* name : group.options) {
-        if (const CLI::Option* option = command.get_option_no_throw(std::string("--") + name)) {
+        if (const CLI::Option* option = find_option(command, name)) {
             found.push_back(option);
         }
     }

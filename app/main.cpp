@@ -3,7 +3,6 @@
 #include <exception>
 #include <new>
 #include <optional>
-#include <system_error>
 #include <variant>
 
 #include <fcntl.h>
@@ -13,16 +12,34 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/failure.hpp"
 #include "core/text.hpp"
 #include "options.hpp"
 #include "process.hpp"
 
 namespace {
 
-int fail(const char* message, int status)
+/// Prints an error message, also if no memory is left to format it. Returns `status`.
+int fail(const char* message, int status) noexcept
 {
-    estampe::say(fmt::format("estampe: error: {}\n", estampe::shortened(estampe::one_line(message))));
+    try {
+        estampe::say(fmt::format("estampe: error: {}\n", estampe::shortened(estampe::one_line(message))));
+    } catch (const std::bad_alloc&) {
+        for (const char* const part : {"estampe: error: ", message, "\n"}) {
+            static_cast<void>(std::fputs(part, stderr));
+        }
+    }
     return status;
+}
+
+/// Prints the message of the exception that is being handled. Returns the program's exit status.
+int fail_as_caught() noexcept
+{
+    try {
+        return fail(estampe::message_of_caught().c_str(), 1);
+    } catch (const std::bad_alloc&) {
+        return fail(estampe::out_of_memory, 1);
+    }
 }
 
 /// If stdin, stdout or stderr is closed, opens an unusable file in its place, so that no output file gets the
@@ -41,6 +58,7 @@ void hold_standard_streams()
 int main(int argc, char** argv)
 {
     hold_standard_streams();
+    estampe::app::end_well_without_memory();
     try {
         estampe::app::watch_signals();
         if (const std::optional<estampe::app::Command> command =
@@ -52,15 +70,8 @@ int main(int argc, char** argv)
         }
     } catch (const estampe::app::UsageError& error) {
         return fail(error.what(), 2);
-    } catch (const std::bad_alloc&) {
-        return fail("out of memory; try a smaller --size or scene", 1);
-    } catch (const std::system_error& error) {
-        return fail(
-            fmt::format("the system refused: {}; it may be out of threads or files", error.code().message())
-                .c_str(),
-            1);
-    } catch (const std::exception& error) {
-        return fail(error.what(), 1);
+    } catch (const std::exception&) {
+        return fail_as_caught();
     }
     return 0;
 }

@@ -47,6 +47,13 @@ bool has_any(const std::string& text, std::initializer_list<const char*> keys)
 
 } // namespace
 
+const CLI::Option* find_option(const CLI::App& command, const std::string& long_name)
+{
+    const std::vector<const CLI::Option*> found =
+        command.get_options([&](const CLI::Option* option) { return option->check_lname(long_name); });
+    return found.empty() ? nullptr : found.front();
+}
+
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text)
 {
     const size_t cross = text.find('x');

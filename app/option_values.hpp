@@ -16,11 +16,16 @@
 
 namespace CLI {
 class App;
+class Option;
 } // namespace CLI
 
 namespace estampe::app {
 
 inline constexpr uint32_t largest_side_px = 65535;
+
+/// Returns the option of `command` with a long name such as "set"; null if there is none. CLI11's own search
+/// (get_option_no_throw) ends the program if memory runs out in it.
+[[nodiscard]] const CLI::Option* find_option(const CLI::App& command, const std::string& long_name);
 
 /// Parses a picture's size such as "1920x1080". Throws UsageError for other text, or if a side is 0 or larger
 /// than largest_side_px.

@@ -3,12 +3,16 @@
 
 #include <array>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <new>
 #include <system_error>
 #include <thread>
 
 #include <unistd.h>
 
+#include "core/failure.hpp"
 #include "core/file.hpp"
 #include "piped_scene.hpp"
 
@@ -76,6 +80,52 @@ void watch_signals()
         // Unblocked signals have their default effect: they end the program.
         pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
     }
+}
+
+namespace {
+
+std::terminate_handler usual_end = nullptr;
+pid_t own_id = 0;
+
+bool is_out_of_memory()
+{
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) {
+            std::rethrow_exception(thrown);
+        }
+    } catch (const std::bad_alloc&) {
+        return true;
+    } catch (...) {
+        return false;
+    }
+    return false;
+}
+
+[[noreturn]] void end_at_once()
+{
+    static std::atomic<bool> is_ending = false;
+    // A forked child must not delete the files of its parent.
+    if (is_out_of_memory() && getpid() == own_id) {
+        while (is_ending.exchange(true)) {
+            pause(); // Another thread ends the program
+        }
+        for (const char* const part : {"estampe: error: ", out_of_memory, "\n"}) {
+            static_cast<void>(std::fputs(part, stderr));
+        }
+        remove_all_pending();
+        remove_piped_scenes();
+        _exit(1);
+    }
+    usual_end();
+    std::abort();
+}
+
+} // namespace
+
+void end_well_without_memory()
+{
+    own_id = getpid();
+    usual_end = std::set_terminate(end_at_once);
 }
 
 void tell_of_signals()

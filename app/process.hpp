@@ -12,6 +12,11 @@ namespace estampe::app {
 /// program does not end. Call this function before any thread starts.
 void watch_signals();
 
+/// Makes the program end with its usual message and without temporary files if memory runs out where no
+/// exception can pass: libraries allocate in destructors (nlohmann/json) and in noexcept functions (CLI11,
+/// toml++).
+void end_well_without_memory();
+
 /// Changes the effect of signals for a film: the next SIGINT, SIGTERM or SIGHUP only makes was_told_to_stop()
 /// true; a second signal ends the program.
 void tell_of_signals();

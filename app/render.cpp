@@ -15,6 +15,7 @@
 #include <estampe/error.hpp>
 
 #include "commands.hpp"
+#include "core/exr.hpp"
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
@@ -245,9 +246,9 @@ void write_pictures(DrawnPicture& picture, const Renderer& renderer, const Rende
         files.push_back(output::pending_layers(picture.layers.value(), choice.layers, bits));
     }
     if (!command.motion.empty()) {
-        save_motion(renderer.motion(), command.motion);
+        files.push_back(AtomicFile::file(command.motion, encode_motion(renderer.motion(), command.motion)));
     }
-    std::ranges::for_each(files, [](AtomicFile& file) { file.publish(); });
+    AtomicFile::publish_all(files);
     if (command.draw.output == standard_output) {
         write_to_standard_output(bytes);
     }

@@ -296,7 +296,7 @@ void add_commands(CLI::App& app, TypedOptions& typed)
     add_styles(app, typed);
     add_style_manual(app, typed);
     for (CLI::App* command : app.get_subcommands({})) {
-        if (command->get_option_no_throw("--set") != nullptr) {
+        if (find_option(*command, "set") != nullptr) {
             add_style_manual(*command, typed);
         }
     }

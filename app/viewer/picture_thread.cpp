@@ -11,6 +11,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/failure.hpp"
 #include "core/long_jobs.hpp"
 #include "drawing.hpp"
 #include "messages.hpp"
@@ -218,8 +219,8 @@ void PictureThread::work()
         Renderer renderer(options_);
         tell(DeviceOpened{renderer.device().name, renderer.device().software});
         work_on(renderer);
-    } catch (const std::exception& problem) {
-        tell(Failure{Failure::Of::device, problem.what()});
+    } catch (const std::exception&) {
+        tell(Failure{Failure::Of::device, message_of_caught()});
     }
 }
 
@@ -283,8 +284,8 @@ void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const L
         terrain_.reset();
         is_compiling_ = false;
         tell(SceneTaken{file});
-    } catch (const std::exception& problem) {
-        tell(Failure{Failure::Of::scene, problem.what()});
+    } catch (const std::exception&) {
+        tell(Failure{Failure::Of::scene, message_of_caught()});
         if (scene_) {
             app::set_scene(renderer, scene_->scene, scene_->draw);
         }
@@ -302,8 +303,8 @@ void PictureThread::take_terrain(Renderer& renderer, const Terrain& terrain)
         animator_->leave_ground();
         is_compiling_ = renderer.is_terrain_compiling();
         tell(TerrainTaken{});
-    } catch (const std::exception& problem) {
-        tell(Failure{Failure::Of::terrain, problem.what()});
+    } catch (const std::exception&) {
+        tell(Failure{Failure::Of::terrain, message_of_caught()});
     }
 }
 
@@ -322,8 +323,8 @@ void PictureThread::apply(Renderer& renderer, const SceneChange& change)
         if (change.end_s && animator_) {
             animator_->end_at(*change.end_s);
         }
-    } catch (const std::exception& problem) {
-        tell(Failure{Failure::Of::picture, problem.what()});
+    } catch (const std::exception&) {
+        tell(Failure{Failure::Of::picture, message_of_caught()});
     }
 }
 
@@ -357,9 +358,9 @@ void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureR
         picture.timings = renderer.timings();
         picture.notes = renderer.notes();
         tell(std::move(picture));
-    } catch (const std::exception& problem) {
+    } catch (const std::exception&) {
         if (!is_stopped) {
-            tell(Failure{Failure::Of::picture, problem.what()});
+            tell(Failure{Failure::Of::picture, message_of_caught()});
         }
     }
 }
@@ -375,8 +376,8 @@ void PictureThread::do_step(Renderer& renderer)
             tell(TerrainTaken{.is_compiled = true});
         }
         goes_on = job_->step(renderer, *animator_, [this](PictureNews news) { tell(std::move(news)); });
-    } catch (const std::exception& problem) {
-        tell(Failure{Failure::Of::job, problem.what()});
+    } catch (const std::exception&) {
+        tell(Failure{Failure::Of::job, message_of_caught()});
     }
     std::unique_lock lock(guard_);
     if (!goes_on || is_job_cancelled_) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/failure.hpp"
 #include "core/long_jobs.hpp"
 #include "drawing.hpp"
 #include "worlds.hpp"
@@ -90,8 +91,8 @@ void SceneLoader::read(const app::DrawOptions& draw, uint64_t number)
     const ProgressWatch watch([&](double share) { return heed(number, share); });
     try {
         result = load_file(draw);
-    } catch (const std::exception& problem) {
-        result = std::string(problem.what());
+    } catch (const std::exception&) {
+        result = message_of_caught();
     }
     {
         const std::lock_guard lock(guard_);

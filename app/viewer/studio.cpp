@@ -12,6 +12,7 @@
 #include <estampe/error.hpp>
 #include <estampe/style.hpp>
 
+#include "core/failure.hpp"
 #include "core/file.hpp"
 #include "features/common/style_tables.hpp"
 #include "piped_scene.hpp"
@@ -282,8 +283,8 @@ void Studio::attempt(const std::string& topic, const std::function<void()>& step
     try {
         step();
         settle(topic);
-    } catch (const std::exception& problem) {
-        say(Message::Kind::problem, topic, problem.what());
+    } catch (const std::exception&) {
+        say(Message::Kind::problem, topic, message_of_caught());
     }
 }
 

@@ -27,4 +27,11 @@ private:
     std::string remedy_;
 };
 
+/// The graphics device was lost: its driver was restarted, or the device was removed. All further work on it
+/// fails; another Renderer may succeed.
+class DeviceLost : public Error {
+public:
+    using Error::Error;
+};
+
 } // namespace estampe

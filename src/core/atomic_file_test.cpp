@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -127,6 +128,41 @@ TEST(AtomicFile, nowhere_to_write)
     EXPECT_THROW((void)AtomicFile::file(folder / "none/a.txt"), Error);
     EXPECT_THROW((void)AtomicFile::file(folder.path()), Error);
     EXPECT_THROW((void)AtomicFile::folder(folder / "none/a"), Error);
+}
+
+TEST(AtomicFile, several_appear_together)
+{
+    const test::Folder folder;
+    write_file_atomically(folder / "a.txt", bytes_in("old"));
+    {
+        std::vector<AtomicFile> files;
+        files.push_back(AtomicFile::file(folder / "a.txt", bytes_in("new")));
+        files.push_back(AtomicFile::file(folder / "b.txt", bytes_in("new")));
+        files.push_back(AtomicFile::folder(folder / "c"));
+        AtomicFile::publish_all(files);
+        EXPECT_EQ(text_in(folder / "a.txt"), "new");
+        EXPECT_EQ(text_in(folder / "b.txt"), "new");
+        EXPECT_TRUE(std::filesystem::is_directory(folder / "c"));
+    }
+    EXPECT_EQ(count_in(folder), 3U) << "the old content is left";
+}
+
+TEST(AtomicFile, one_that_cannot_appear_holds_back_the_others)
+{
+    const test::Folder folder;
+    write_file_atomically(folder / "a.txt", bytes_in("old"));
+    std::filesystem::create_directories(folder / "full/of/something");
+    {
+        std::vector<AtomicFile> files;
+        files.push_back(AtomicFile::file(folder / "a.txt", bytes_in("new")));
+        files.push_back(AtomicFile::file(folder / "b.txt", bytes_in("new")));
+        files.push_back(AtomicFile::folder(folder / "full"));
+        EXPECT_THROW(AtomicFile::publish_all(files), Error);
+        EXPECT_EQ(text_in(folder / "a.txt"), "old");
+    }
+    EXPECT_EQ(text_in(folder / "a.txt"), "old");
+    EXPECT_TRUE(std::filesystem::exists(folder / "full/of/something"));
+    EXPECT_EQ(count_in(folder), 2U);
 }
 
 /// Runs `work` in a child process and returns its exit status, or -1 if it crashed.

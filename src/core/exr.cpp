@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 #include <ImfChannelList.h>
@@ -18,7 +19,6 @@
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
-#include <estampe/motion.hpp>
 
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
@@ -241,6 +241,8 @@ ExrFile decode_exr(std::span<const std::byte> bytes, const std::string& name)
         return read_picture(bytes, name);
     } catch (const Error&) {
         throw;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& problem) {
         const std::string_view reason = problem.what();
         throw Error(fmt::format("is damaged: {}", reason.substr(0, reason.find('\n'))), name);
@@ -326,13 +328,18 @@ Lightmap load_lightmap(const std::filesystem::path& path)
     return baked_lightmap(decode_exr(read_file(path, max_file_bytes), path.string()), path);
 }
 
-void save_motion(const Motion& motion, const std::filesystem::path& path)
+std::vector<std::byte> encode_motion(const Motion& motion, const std::filesystem::path& path)
 {
     if (motion.pixels.empty()) {
         throw Error("there is no motion to write", path.string(),
                     "ask for it in RenderSettings::motion_since");
     }
-    write_file_atomically(path, encode_float_exr(motion.width, motion.height, motion.pixels));
+    return encode_float_exr(motion.width, motion.height, motion.pixels);
+}
+
+void save_motion(const Motion& motion, const std::filesystem::path& path)
+{
+    write_file_atomically(path, encode_motion(motion, path));
 }
 
 } // namespace estampe

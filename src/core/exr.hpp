@@ -13,6 +13,7 @@
 
 #include <estampe/lightmap.hpp>
 #include <estampe/linear_image.hpp>
+#include <estampe/motion.hpp>
 
 namespace estampe {
 
@@ -39,6 +40,9 @@ struct ExrChannel {
 [[nodiscard]] std::vector<std::byte> encode_exr(uint32_t width, uint32_t height,
                                                 std::span<const ExrChannel> channels, ExrNumbers numbers,
                                                 const std::map<std::string, std::string>& texts = {});
+
+/// Encodes the file of save_motion(). Throws Error with `path` as its place if there is no motion.
+[[nodiscard]] std::vector<std::byte> encode_motion(const Motion& motion, const std::filesystem::path& path);
 
 /// Decodes an OpenEXR picture (of a multi-part file, the first part). Grey becomes three channels, alpha is
 /// ignored, negative and non-finite values become zero. Throws Error with `name` as its place if the data is

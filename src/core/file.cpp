@@ -9,6 +9,7 @@
 #include <ctime>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <ftw.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -75,10 +77,32 @@ std::filesystem::path behind_links(const std::filesystem::path& target)
     return real;
 }
 
+int remove_entry(const char* path, const struct stat* /*status*/, int /*kind*/, FTW* /*place*/)
+{
+    std::remove(path);
+    return 0;
+}
+
+/// Deletes a file, or a folder with its content. Ignores failures. Works without memory, unlike
+/// std::filesystem::remove_all, because temporary files must also go when memory has run out.
+void remove_without_memory(const char* path) noexcept
+{
+    constexpr int most_open = 8;
+    if (std::remove(path) != 0 && (errno == ENOTEMPTY || errno == EEXIST)) {
+        nftw(path, remove_entry, most_open, FTW_DEPTH | FTW_PHYS | FTW_MOUNT);
+    }
+}
+
 [[noreturn]] void fail_to_begin(const std::filesystem::path& target, int error)
 {
     throw Error(fmt::format("cannot write: {}", reason_of(error)), target.string(),
                 "choose a folder that exists and may be written");
+}
+
+[[noreturn]] void fail_to_rename(const std::filesystem::path& target, int error)
+{
+    throw Error(fmt::format("cannot write: {}", reason_of(error)), target.string(),
+                "try again, or write elsewhere");
 }
 
 void write_all(const std::filesystem::path& path, std::span<const std::byte> bytes,
@@ -105,6 +129,19 @@ AtomicFile::AtomicFile(std::filesystem::path target, std::filesystem::path path,
 {
 }
 
+AtomicFile AtomicFile::taken(std::filesystem::path target, const std::string& name, int lock)
+{
+    try {
+        std::filesystem::path path(name);
+        registry().paths.insert(path);
+        return {std::move(target), std::move(path), lock};
+    } catch (...) {
+        remove_without_memory(name.c_str());
+        close(lock);
+        throw;
+    }
+}
+
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : target_(std::move(other.target_)), path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1))
 {
@@ -120,8 +157,7 @@ AtomicFile::~AtomicFile()
         return;
     }
     const std::lock_guard lock(registry().guard);
-    std::error_code failure;
-    std::filesystem::remove_all(path_, failure);
+    remove_without_memory(path_.c_str());
     registry().paths.erase(path_);
 }
 
@@ -131,7 +167,7 @@ AtomicFile AtomicFile::file(const std::filesystem::path& target)
     if (std::filesystem::is_directory(target, failure)) {
         throw Error("is a folder", target.string(), "give the name of a file");
     }
-    const std::filesystem::path real = behind_links(target);
+    std::filesystem::path real = behind_links(target);
 
     struct stat replaced {};
 
@@ -153,8 +189,7 @@ AtomicFile AtomicFile::file(const std::filesystem::path& target)
         static_cast<void>(fchown(descriptor, replaced.st_uid, replaced.st_gid) == 0);
     }
     fchmod(descriptor, replaces ? replaced.st_mode & 0777U : 0666 & ~mask);
-    registry().paths.insert(name);
-    return {real, name, descriptor};
+    return taken(std::move(real), name, descriptor);
 }
 
 AtomicFile AtomicFile::file(const std::filesystem::path& target, std::span<const std::byte> bytes)
@@ -175,20 +210,87 @@ AtomicFile AtomicFile::folder(const std::filesystem::path& target)
     if (descriptor >= 0) {
         (void)flock(descriptor, LOCK_EX | LOCK_NB);
     }
-    registry().paths.insert(name);
-    return {target, name, descriptor};
+    return taken(target, name, descriptor);
 }
 
 void AtomicFile::publish()
 {
-    std::error_code failure;
     const std::lock_guard lock(registry().guard);
-    std::filesystem::rename(path_, target_, failure);
-    if (failure) {
-        throw Error(fmt::format("cannot write: {}", failure.message()), target_.string());
+    if (rename(path_.c_str(), target_.c_str()) != 0) {
+        fail_to_rename(target_, errno);
     }
     registry().paths.erase(path_);
     path_.clear();
+}
+
+namespace {
+
+/// How a temporary file came to its final name.
+enum class Renamed : uint8_t { created, exchanged, replaced };
+
+bool is_file(const std::filesystem::path& path)
+{
+    struct stat status {};
+
+    return lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// Renames `from` to `to`. If both are files, they exchange their names, so that the renaming can be undone.
+/// Returns nothing on failure, with the reason in errno.
+std::optional<Renamed> rename_undoably(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    if (!is_file(from) || !is_file(to)) {
+        return rename(from.c_str(), to.c_str()) == 0 ? std::optional(Renamed::created) : std::nullopt;
+    }
+    if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) {
+        return Renamed::exchanged;
+    }
+    const bool can_exchange = errno != EINVAL && errno != ENOSYS;
+    return !can_exchange && rename(from.c_str(), to.c_str()) == 0 ? std::optional(Renamed::replaced)
+                                                                  : std::nullopt;
+}
+
+/// Undoes rename_undoably() as far as the file system allows.
+void undo(Renamed renamed, const std::filesystem::path& from, const std::filesystem::path& to) noexcept
+{
+    if (renamed != Renamed::replaced) {
+        const unsigned flags = renamed == Renamed::exchanged ? RENAME_EXCHANGE : RENAME_NOREPLACE;
+        const bool is_back = renameat2(AT_FDCWD, to.c_str(), AT_FDCWD, from.c_str(), flags) == 0;
+        if (!is_back && renamed == Renamed::created) {
+            remove_without_memory(to.c_str());
+        }
+    }
+}
+
+} // namespace
+
+void AtomicFile::publish_all(std::span<AtomicFile> files)
+{
+    if (files.size() == 1) {
+        files.front().publish();
+        return;
+    }
+    std::vector<Renamed> done;
+    done.reserve(files.size()); // Nothing below may run out of memory between two renamings
+    const std::lock_guard lock(registry().guard);
+    for (const AtomicFile& file : files) {
+        if (const auto renamed = rename_undoably(file.path_, file.target_)) {
+            done.push_back(*renamed);
+            continue;
+        }
+        const int error = errno;
+        for (size_t i = done.size(); i-- > 0;) {
+            undo(done[i], files[i].path_, files[i].target_);
+        }
+        fail_to_rename(file.target_, error);
+    }
+    for (size_t i = 0; i < files.size(); ++i) {
+        // After an exchange the old file has the temporary name, and is deleted with its AtomicFile.
+        if (done[i] != Renamed::exchanged) {
+            registry().paths.erase(files[i].path_);
+            files[i].path_.clear();
+        }
+    }
 }
 
 void remove_left_parts(const std::filesystem::path& folder,
@@ -217,8 +319,7 @@ void remove_left_parts(const std::filesystem::path& folder,
         const bool is_old =
             fstat(descriptor, &status) == 0 && std::time(nullptr) - status.st_mtime > just_created_s;
         if (is_old && flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
-            std::error_code problem;
-            std::filesystem::remove_all(entries->path(), problem);
+            remove_without_memory(entries->path().c_str());
         }
         close(descriptor);
     }
@@ -228,8 +329,7 @@ void remove_all_pending() noexcept
 {
     registry().guard.lock(); // The lock is never released, so that no thread can create another file
     for (const std::filesystem::path& path : registry().paths) {
-        std::error_code failure;
-        std::filesystem::remove_all(path, failure);
+        remove_without_memory(path.c_str());
     }
     registry().paths.clear();
 }

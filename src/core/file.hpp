@@ -48,8 +48,17 @@ public:
     /// `target` cannot be replaced.
     void publish();
 
+    /// Publishes several files and folders: all of them, or none. If one cannot be renamed, those renamed
+    /// before are put back as they were, and Error is thrown. On file systems that cannot exchange two names,
+    /// a file that already replaced another one stays.
+    static void publish_all(std::span<AtomicFile> files);
+
 private:
     AtomicFile(std::filesystem::path target, std::filesystem::path path, int lock);
+
+    /// Takes over the temporary file or folder `name`. If memory runs out, deletes `name`, closes `lock`, and
+    /// throws std::bad_alloc. The caller holds the lock of the list of temporary files.
+    [[nodiscard]] static AtomicFile taken(std::filesystem::path target, const std::string& name, int lock);
 
     std::filesystem::path target_;
     std::filesystem::path path_; ///< Temporary path; empty after publish() or after a move

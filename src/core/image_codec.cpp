@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 
 #include <fmt/format.h>
 #include <jpeglib.h>
@@ -146,7 +147,7 @@ Picture decode_png(std::span<const std::byte> data, const std::string& name)
     reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.failure, png_failed, png_warned);
     reader.info = reader.png == nullptr ? nullptr : png_create_info_struct(reader.png);
     if (reader.info == nullptr) {
-        throw Error("out of memory", name);
+        throw std::bad_alloc();
     }
     if (!read_png_header(reader)) {
         throw Error(fmt::format("corrupt PNG: {}", reader.failure.message), name);

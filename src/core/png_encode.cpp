@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <future>
+#include <new>
 #include <span>
 #include <thread>
 #include <vector>
@@ -113,7 +114,7 @@ struct Deflater {
     Deflater()
     {
         if (deflateInit2(&stream, png_level, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_FILTERED) != Z_OK) {
-            throw Error("out of memory");
+            throw std::bad_alloc();
         }
     }
 
@@ -247,7 +248,7 @@ std::vector<std::byte> encode(const PngPixels& pixels, uint32_t dots_per_m)
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.failure, png_failed, png_warned);
     writer.info = writer.png == nullptr ? nullptr : png_create_info_struct(writer.png);
     if (writer.info == nullptr) {
-        throw Error("out of memory");
+        throw std::bad_alloc();
     }
     writer.bytes.reserve(pixels.bytes.size() / 4);
     const PngHead head{.width = pixels.width,
@@ -333,7 +334,7 @@ PngFile::PngFile(const std::filesystem::path& path, uint32_t width, uint32_t hei
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.failure, png_failed, png_warned);
     writer.info = writer.png == nullptr ? nullptr : png_create_info_struct(writer.png);
     if (writer.info == nullptr) {
-        throw Error("out of memory");
+        throw std::bad_alloc();
     }
     if (setjmp(writer.failure.jump) != 0) {
         writer.fail();

@@ -15,6 +15,7 @@
 #include <estampe/error.hpp>
 #include <estampe/vulkan.hpp>
 
+#include "core/failure.hpp"
 #include "core/text.hpp"
 
 namespace estampe::gpu {
@@ -208,17 +209,20 @@ void require_driver_threads()
     const unsigned count = 2 * std::clamp(std::thread::hardware_concurrency(), 1U, most_cores_used) + waiting;
     std::latch all_tried(1);
     std::vector<std::jthread> threads;
+    // The threads end on every way out of this function, also if memory runs out; the destructor of `threads`
+    // would wait for them forever otherwise.
+    const auto release = [](std::latch* latch) { latch->count_down(); };
+    const std::unique_ptr<std::latch, decltype(release)> at_end(&all_tried, release);
     try {
         for (unsigned i = 0; i < count; ++i) {
             threads.emplace_back([&all_tried] { all_tried.wait(); });
         }
     } catch (const std::system_error& problem) {
-        all_tried.count_down();
-        throw Error(fmt::format("drawing on the processor takes {} threads, {} could be started: {}", count,
-                                threads.size(), problem.code().message()),
-                    {}, "end other programs, or raise the limit of threads (ulimit -u)");
+        // The started threads still hold their stacks here, so that the cause can be found.
+        const std::string what = fmt::format("drawing on the processor takes {} threads, {} could be started",
+                                             count, threads.size());
+        throw no_thread(what, problem);
     }
-    all_tried.count_down();
 }
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
@@ -279,10 +283,15 @@ Device::Device(const RendererOptions& options)
     : on_validation_message_(
           std::make_unique<std::function<void(const std::string&)>>(options.on_validation_message))
 {
-    create_instance(options.validation);
-    pick_physical(options.device);
-    create_device();
-    memory_ = std::make_unique<MemoryAllocator>(physical_, device_);
+    try {
+        create_instance(options.validation);
+        pick_physical(options.device);
+        create_device();
+        memory_ = std::make_unique<MemoryAllocator>(physical_, device_);
+    } catch (...) {
+        destroy();
+        throw;
+    }
 }
 
 Device::Device(const VulkanHost& host)
@@ -292,10 +301,20 @@ Device::Device(const VulkanHost& host)
     const Candidate candidate = host_candidate(host);
     take_physical(candidate.physical, candidate.info);
     create_fence();
-    memory_ = std::make_unique<MemoryAllocator>(physical_, device_);
+    try {
+        memory_ = std::make_unique<MemoryAllocator>(physical_, device_);
+    } catch (...) {
+        destroy();
+        throw;
+    }
 }
 
 Device::~Device()
+{
+    destroy();
+}
+
+void Device::destroy() noexcept
 {
     if (is_borrowed_) {
         vkDestroyFence(device_, fence_, nullptr);

@@ -63,6 +63,8 @@ private:
     void create_device();
     void create_fence();
     void take_physical(VkPhysicalDevice physical, const DeviceInfo& info);
+    /// Destroys what the constructor has created so far.
+    void destroy() noexcept;
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;

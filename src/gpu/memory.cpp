@@ -120,14 +120,18 @@ void MemoryAllocator::require(VkDeviceSize bytes) const
 uint32_t MemoryAllocator::new_block(VkDeviceSize size, uint32_t memory_type, bool mapped, bool for_images)
 {
     require_of_type(size, memory_type);
+    blocks_.reserve(blocks_.size() + 1); // Nothing may fail once the device's memory is allocated
     Block block{
         .size = size, .memory_type = memory_type, .for_images = for_images, .free_ranges = {{0, size}}};
     const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
                                     .allocationSize = size,
                                     .memoryTypeIndex = memory_type};
     vk_check(vkAllocateMemory(device_, &info, nullptr, &block.memory), "vkAllocateMemory");
-    if (mapped) {
-        vk_check(vkMapMemory(device_, block.memory, 0, VK_WHOLE_SIZE, 0, &block.mapped), "vkMapMemory");
+    const VkResult result =
+        mapped ? vkMapMemory(device_, block.memory, 0, VK_WHOLE_SIZE, 0, &block.mapped) : VK_SUCCESS;
+    if (result != VK_SUCCESS) {
+        vkFreeMemory(device_, block.memory, nullptr);
+        vk_check(result, "vkMapMemory");
     }
     const auto vacant = std::find_if(blocks_.begin(), blocks_.end(),
                                      [](const Block& other) { return other.memory == VK_NULL_HANDLE; });
@@ -148,6 +152,14 @@ bool MemoryAllocator::take(Block& block, const VkMemoryRequirements& needs, VkDe
         if (aligned + needs.size > end) {
             continue;
         }
+        // Between n allocations lie at most n + 1 free ranges, and free() adds one before it joins them.
+        const size_t most_ranges = size_t{block.allocations} + 3;
+        if (block.free_ranges.capacity() < most_ranges) {
+            const auto at = range - block.free_ranges.begin();
+            block.free_ranges.reserve(2 * most_ranges);
+            range = block.free_ranges.begin() + at;
+        }
+        ++block.allocations;
         const Range before{range->offset, aligned - range->offset};
         const Range after{aligned + needs.size, end - aligned - needs.size};
         auto place = block.free_ranges.erase(range);
@@ -193,12 +205,13 @@ Allocation MemoryAllocator::allocate(const VkMemoryRequirements& needs, MemoryUs
             .block = index};
 }
 
-void MemoryAllocator::free(const Allocation& allocation)
+void MemoryAllocator::free(const Allocation& allocation) noexcept
 {
     if (allocation.block == UINT32_MAX) {
         return;
     }
     Block& block = blocks_[allocation.block];
+    --block.allocations;
     auto& ranges = block.free_ranges;
     auto place =
         std::lower_bound(ranges.begin(), ranges.end(), allocation.offset,

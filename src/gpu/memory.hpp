@@ -37,7 +37,9 @@ public:
 
     /// Allocates memory. Throws Error if the device has too little free memory of the kind that `use` needs.
     [[nodiscard]] Allocation allocate(const VkMemoryRequirements& needs, MemoryUse use, bool for_image);
-    void free(const Allocation& allocation);
+    /// Frees the memory of an allocation. Does not allocate, because objects are also destroyed after memory
+    /// has run out.
+    void free(const Allocation& allocation) noexcept;
 
     /// Throws Error unless `bytes` of MemoryUse::device can still be allocated. Call this before large
     /// allocations, because CPU drivers report more memory than the machine has.
@@ -61,6 +63,7 @@ private:
         void* mapped = nullptr;
         uint32_t memory_type = 0;
         bool for_images = false;
+        uint32_t allocations = 0;       ///< Number of allocations in the block
         std::vector<Range> free_ranges; ///< Unused ranges of the block, sorted by offset; no two are adjacent
     };
 

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <new>
+#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -137,7 +139,11 @@ PipelineStore::PipelineStore(Device& device) : device_(device.handle())
 PipelineStore::~PipelineStore()
 {
     if (!file_.empty()) {
-        write_back();
+        try {
+            write_back();
+        } catch (const std::bad_alloc&) {
+            file_.clear(); // The next run compiles the pipelines again
+        }
     }
     vkDestroyPipelineCache(device_, cache_, nullptr);
 }
@@ -181,15 +187,28 @@ VkSampler make_sampler(VkDevice device, Sampling sampling)
     return sampler;
 }
 
-VkShaderModule make_module(VkDevice device, const Shader& shader)
-{
-    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                        .codeSize = shader.spirv.size_bytes(),
-                                        .pCode = shader.spirv.data()};
-    VkShaderModule made = VK_NULL_HANDLE;
-    vk_check(vkCreateShaderModule(device, &info, nullptr, &made), "vkCreateShaderModule");
-    return made;
-}
+/// A shader module, which is only needed until its pipeline exists.
+class ShaderModule {
+public:
+    ShaderModule(VkDevice device, const Shader& shader) : device_(device)
+    {
+        const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                            .codeSize = shader.spirv.size_bytes(),
+                                            .pCode = shader.spirv.data()};
+        vk_check(vkCreateShaderModule(device, &info, nullptr, &handle_), "vkCreateShaderModule");
+    }
+
+    ~ShaderModule() { vkDestroyShaderModule(device_, handle_, nullptr); }
+
+    ShaderModule(const ShaderModule&) = delete;
+    ShaderModule& operator=(const ShaderModule&) = delete;
+
+    [[nodiscard]] VkShaderModule handle() const { return handle_; }
+
+private:
+    VkDevice device_;
+    VkShaderModule handle_ = VK_NULL_HANDLE;
+};
 
 /// Creates a pipeline that draws triangles without vertex buffers and without blending. Depth is reversed;
 /// viewport and scissor are dynamic.
@@ -257,12 +276,22 @@ VkResult create_draw_pipeline(VkDevice device, VkPipelineCache kept, const DrawS
 
 PipelineCache::PipelineCache(Device& device) : device_(device), store_(device)
 {
-    for (const Sampling sampling : {Sampling::nearest, Sampling::linear, Sampling::linear_repeat}) {
-        samplers_[static_cast<size_t>(sampling)] = make_sampler(device.handle(), sampling);
+    try {
+        for (const Sampling sampling : {Sampling::nearest, Sampling::linear, Sampling::linear_repeat}) {
+            samplers_[static_cast<size_t>(sampling)] = make_sampler(device.handle(), sampling);
+        }
+    } catch (...) {
+        destroy_all();
+        throw;
     }
 }
 
 PipelineCache::~PipelineCache()
+{
+    destroy_all();
+}
+
+void PipelineCache::destroy_all() const noexcept
 {
     for (const auto& [key, pipeline] : pipelines_) {
         destroy(pipeline);
@@ -272,7 +301,7 @@ PipelineCache::~PipelineCache()
     }
 }
 
-void PipelineCache::destroy(const Pipeline& pipeline) const
+void PipelineCache::destroy(const Pipeline& pipeline) const noexcept
 {
     vkDestroyPipeline(device_.handle(), pipeline.pipeline, nullptr);
     vkDestroyPipelineLayout(device_.handle(), pipeline.layout, nullptr);
@@ -312,6 +341,20 @@ PipelineCache::Key PipelineCache::key_of(const Wanted& wanted)
     return key;
 }
 
+template <typename Make>
+const Pipeline& PipelineCache::add(const Wanted& wanted, const Make& make_pipeline)
+{
+    const auto place = pipelines_.try_emplace(key_of(wanted)).first;
+    try {
+        make_pipeline(place->second);
+    } catch (...) {
+        destroy(place->second);
+        pipelines_.erase(place);
+        throw;
+    }
+    return place->second;
+}
+
 const Pipeline& PipelineCache::get(const Shader& built_in, std::span<const VkDescriptorType> bindings,
                                    uint32_t push_bytes, uint32_t variant)
 {
@@ -321,7 +364,7 @@ const Pipeline& PipelineCache::get(const Shader& built_in, std::span<const VkDes
     if (found != pipelines_.end()) {
         return found->second;
     }
-    return pipelines_.emplace(key_of(wanted), make(shader, bindings, push_bytes, variant)).first->second;
+    return add(wanted, [&](Pipeline& made) { make(made, shader, bindings, push_bytes, variant); });
 }
 
 const Pipeline& PipelineCache::get(const DrawState& built_in, std::span<const VkDescriptorType> bindings,
@@ -343,13 +386,12 @@ const Pipeline& PipelineCache::get(const DrawState& built_in, std::span<const Vk
     if (found != pipelines_.end()) {
         return found->second;
     }
-    return pipelines_.emplace(key_of(wanted), make(state, bindings, push_bytes, variant)).first->second;
+    return add(wanted, [&](Pipeline& made) { make(made, state, bindings, push_bytes, variant); });
 }
 
-Pipeline PipelineCache::make_layouts(std::span<const VkDescriptorType> bindings, uint32_t push_bytes,
-                                     VkShaderStageFlags stages) const
+void PipelineCache::make_layouts(Pipeline& made, std::span<const VkDescriptorType> bindings,
+                                 uint32_t push_bytes, VkShaderStageFlags stages) const
 {
-    Pipeline made;
     std::vector<VkDescriptorSetLayoutBinding> layout_bindings;
     for (const VkDescriptorType type : bindings) {
         layout_bindings.push_back({.binding = static_cast<uint32_t>(layout_bindings.size()),
@@ -371,14 +413,13 @@ Pipeline PipelineCache::make_layouts(std::span<const VkDescriptorType> bindings,
                                                  .pPushConstantRanges = &push_range};
     vk_check(vkCreatePipelineLayout(device_.handle(), &layout_info, nullptr, &made.layout),
              "vkCreatePipelineLayout");
-    return made;
 }
 
-Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorType> bindings,
-                             uint32_t push_bytes, uint32_t variant)
+void PipelineCache::make(Pipeline& made, const Shader& shader, std::span<const VkDescriptorType> bindings,
+                         uint32_t push_bytes, uint32_t variant)
 {
-    Pipeline made = make_layouts(bindings, push_bytes, VK_SHADER_STAGE_COMPUTE_BIT);
-    VkShaderModule shader_module = make_module(device_.handle(), shader);
+    make_layouts(made, bindings, push_bytes, VK_SHADER_STAGE_COMPUTE_BIT);
+    const ShaderModule shader_module(device_.handle(), shader);
     const VkSpecializationMapEntry entry{.size = sizeof(variant)};
     const VkSpecializationInfo specialization{
         .mapEntryCount = 1, .pMapEntries = &entry, .dataSize = sizeof(variant), .pData = &variant};
@@ -386,45 +427,40 @@ Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorT
         .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
         .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                   .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                  .module = shader_module,
+                  .module = shader_module.handle(),
                   .pName = "main",
                   .pSpecializationInfo = &specialization},
         .layout = made.layout};
-    const VkResult result =
-        vkCreateComputePipelines(device_.handle(), store_.handle(), 1, &info, nullptr, &made.pipeline);
-    vkDestroyShaderModule(device_.handle(), shader_module, nullptr);
-    vk_check(result, "vkCreateComputePipelines");
+    vk_check(vkCreateComputePipelines(device_.handle(), store_.handle(), 1, &info, nullptr, &made.pipeline),
+             "vkCreateComputePipelines");
     device_.name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(made.pipeline), shader.name);
-    return made;
 }
 
-Pipeline PipelineCache::make(const DrawState& state, std::span<const VkDescriptorType> bindings,
-                             uint32_t push_bytes, uint32_t variant)
+void PipelineCache::make(Pipeline& made, const DrawState& state, std::span<const VkDescriptorType> bindings,
+                         uint32_t push_bytes, uint32_t variant)
 {
-    Pipeline made =
-        make_layouts(bindings, push_bytes, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
+    make_layouts(made, bindings, push_bytes, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
     const VkSpecializationMapEntry entry{.size = sizeof(variant)};
     const VkSpecializationInfo specialization{
         .mapEntryCount = 1, .pMapEntries = &entry, .dataSize = sizeof(variant), .pData = &variant};
     std::vector<VkPipelineShaderStageCreateInfo> stages;
-    const auto add_stage = [&](const Shader& shader, VkShaderStageFlagBits stage) {
+    const auto add_stage = [&](const ShaderModule& shader, VkShaderStageFlagBits stage) {
         stages.push_back({.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                           .stage = stage,
-                          .module = make_module(device_.handle(), shader),
+                          .module = shader.handle(),
                           .pName = "main",
                           .pSpecializationInfo = &specialization});
     };
-    add_stage(*state.vertex, VK_SHADER_STAGE_VERTEX_BIT);
+    const ShaderModule vertex(device_.handle(), *state.vertex);
+    add_stage(vertex, VK_SHADER_STAGE_VERTEX_BIT);
+    std::optional<ShaderModule> fragment;
     if (state.fragment != nullptr) {
-        add_stage(*state.fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
+        fragment.emplace(device_.handle(), *state.fragment);
+        add_stage(*fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
     }
-    const VkResult result = create_draw_pipeline(device_.handle(), store_.handle(), state, stages, made);
-    for (const VkPipelineShaderStageCreateInfo& stage : stages) {
-        vkDestroyShaderModule(device_.handle(), stage.module, nullptr);
-    }
-    vk_check(result, "vkCreateGraphicsPipelines");
+    vk_check(create_draw_pipeline(device_.handle(), store_.handle(), state, stages, made),
+             "vkCreateGraphicsPipelines");
     device_.name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(made.pipeline), state.vertex->name);
-    return made;
 }
 
 } // namespace estampe::gpu

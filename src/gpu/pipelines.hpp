@@ -137,13 +137,18 @@ private:
 
     [[nodiscard]] static Key key_of(const Wanted& wanted);
 
-    [[nodiscard]] Pipeline make(const Shader& shader, std::span<const VkDescriptorType> bindings,
-                                uint32_t push_bytes, uint32_t variant);
-    [[nodiscard]] Pipeline make(const DrawState& state, std::span<const VkDescriptorType> bindings,
-                                uint32_t push_bytes, uint32_t variant);
-    [[nodiscard]] Pipeline make_layouts(std::span<const VkDescriptorType> bindings, uint32_t push_bytes,
-                                        VkShaderStageFlags stages) const;
-    void destroy(const Pipeline& pipeline) const;
+    /// Adds a pipeline that `make_pipeline` fills in. If that fails, destroys what exists of the pipeline.
+    template <typename Make>
+    const Pipeline& add(const Wanted& wanted, const Make& make_pipeline);
+
+    void make(Pipeline& made, const Shader& shader, std::span<const VkDescriptorType> bindings,
+              uint32_t push_bytes, uint32_t variant);
+    void make(Pipeline& made, const DrawState& state, std::span<const VkDescriptorType> bindings,
+              uint32_t push_bytes, uint32_t variant);
+    void make_layouts(Pipeline& made, std::span<const VkDescriptorType> bindings, uint32_t push_bytes,
+                      VkShaderStageFlags stages) const;
+    void destroy(const Pipeline& pipeline) const noexcept;
+    void destroy_all() const noexcept;
 
     Device& device_;
     PipelineStore store_;

@@ -27,7 +27,7 @@ void vk_check(VkResult result, const char* call)
         throw Error("out of graphics memory", call,
                     "try a smaller --size, fewer smoke.cells, or a lighter scene");
     case VK_ERROR_DEVICE_LOST:
-        throw Error("the graphics device was lost", call, "try again, or --device cpu");
+        throw DeviceLost("the graphics device was lost", call, "try again, or --device cpu");
     default:
         throw Error(fmt::format("Vulkan failed with code {}", static_cast<int>(result)), call,
                     "choose another --device that estampe devices lists");

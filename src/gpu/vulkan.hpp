@@ -11,8 +11,8 @@
 
 namespace estampe::gpu {
 
-/// Throws an Error that names `call` if `result` is a failure code. A lost device and exhausted memory have
-/// special messages.
+/// Throws an Error that names `call` if `result` is a failure code; DeviceLost if the device was lost. A lost
+/// device and exhausted memory have special messages.
 void vk_check(VkResult result, const char* call);
 
 } // namespace estampe::gpu

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan layer under which one call fails, so that tests see what becomes of a lost device or of exhausted
+// A Vulkan layer under which calls fail, so that tests see what becomes of a lost device or of exhausted
 // memory:
 //
 //     VK_LAYER_PATH=FOLDER VK_INSTANCE_LAYERS=VK_LAYER_ESTAMPE_failing ESTAMPE_FAIL=vkQueueSubmit2:3:-4
 //     estampe ...
 //
 // lets the third vkQueueSubmit2 give the result -4, a lost device, after which all further submissions and
-// waits fail alike. Other results are given once.
+// waits fail alike until another device is created. Other results are given once. A fourth number repeats the
+// failure: vkQueueSubmit2:3:-4:2 loses the device at the third call, and again 3 calls later. The name `any`
+// stands for every call that can fail, `main` for those of the main thread, which draws; other threads open
+// devices and compile ahead. ESTAMPE_COUNT_CALLS=FILE appends how often these calls were made.
 
 #include <algorithm>
 #include <atomic>
@@ -26,15 +29,16 @@ struct Failure {
     char call[64] = "";
     long number = 0; ///< from 1
     int result = 0;
+    long times = 1;
 };
 
 Failure read_failure()
 {
     Failure failure;
     const char* text = std::getenv("ESTAMPE_FAIL");
-    if (text != nullptr &&
-        std::sscanf(text, "%63[^:]:%ld:%d", failure.call, &failure.number, &failure.result) != 3) {
-        std::fprintf(stderr, "ESTAMPE_FAIL=%s is not CALL:NUMBER:RESULT\n", text);
+    if (text != nullptr && std::sscanf(text, "%63[^:]:%ld:%d:%ld", failure.call, &failure.number,
+                                       &failure.result, &failure.times) < 3) {
+        std::fprintf(stderr, "ESTAMPE_FAIL=%s is not CALL:NUMBER:RESULT[:TIMES]\n", text);
         std::abort();
     }
     return failure;
@@ -42,23 +46,47 @@ Failure read_failure()
 
 const Failure failure = read_failure();
 std::atomic<long> calls{0};
+std::atomic<long> calls_of_all{0};
+std::atomic<long> calls_of_main{0};
 std::atomic<bool> is_lost{false};
 
-/// Threads beside the one that draws compile ahead, on devices of their own, and may fail unnoticed: what
-/// they bind for that is not counted.
-bool is_ahead(std::string_view call)
+__attribute__((destructor)) void write_count()
 {
-    return call == "vkAllocateDescriptorSets" && gettid() != getpid();
+    const char* const path = std::getenv("ESTAMPE_COUNT_CALLS");
+    if (std::FILE* const file = path == nullptr ? nullptr : std::fopen(path, "a"); file != nullptr) {
+        std::fprintf(file, "vulkan %ld\nvulkan-main %ld\n", calls_of_all.load(), calls_of_main.load());
+        std::fclose(file);
+    }
+}
+
+bool is_main_thread()
+{
+    return gettid() == getpid();
+}
+
+/// Whether a call is one of those that the environment names. Threads beside the one that draws compile
+/// ahead, on devices of their own, and may fail unnoticed: what they bind for that is not counted.
+bool is_named(std::string_view call)
+{
+    const std::string_view wanted(failure.call);
+    return wanted == "any" || (wanted == "main" && is_main_thread()) ||
+           (wanted == call && (call != "vkAllocateDescriptorSets" || is_main_thread()));
 }
 
 VkResult result_of(const char* call)
 {
     const std::string_view name(call);
+    ++calls_of_all;
+    calls_of_main += is_main_thread() ? 1 : 0;
     if (is_lost &&
         (name.starts_with("vkQueue") || name.starts_with("vkWait") || name == "vkDeviceWaitIdle")) {
         return VK_ERROR_DEVICE_LOST;
     }
-    if (name != failure.call || is_ahead(name) || ++calls != failure.number) {
+    if (!is_named(name)) {
+        return VK_SUCCESS;
+    }
+    const long number = ++calls;
+    if (number % failure.number != 0 || number / failure.number > failure.times) {
         return VK_SUCCESS;
     }
     is_lost = failure.result == VK_ERROR_DEVICE_LOST;
@@ -113,6 +141,7 @@ const Call* find_call(const char* name)
         WRAPPED(vkBindBufferMemory),
         WRAPPED(vkBindImageMemory),
         WRAPPED(vkCreateBuffer),
+        WRAPPED(vkCreateBufferView),
         WRAPPED(vkCreateCommandPool),
         WRAPPED(vkCreateComputePipelines),
         WRAPPED(vkCreateDescriptorPool),
@@ -121,16 +150,19 @@ const Call* find_call(const char* name)
         WRAPPED(vkCreateGraphicsPipelines),
         WRAPPED(vkCreateImage),
         WRAPPED(vkCreateImageView),
+        WRAPPED(vkCreatePipelineCache),
         WRAPPED(vkCreatePipelineLayout),
         WRAPPED(vkCreateQueryPool),
         WRAPPED(vkCreateSampler),
         WRAPPED(vkCreateShaderModule),
         WRAPPED(vkDeviceWaitIdle),
         WRAPPED(vkEndCommandBuffer),
+        WRAPPED(vkGetPipelineCacheData),
         WRAPPED(vkGetQueryPoolResults),
         WRAPPED(vkMapMemory),
         WRAPPED(vkQueueSubmit2),
         WRAPPED(vkResetCommandPool),
+        WRAPPED(vkResetDescriptorPool),
         WRAPPED(vkResetFences),
         WRAPPED(vkWaitForFences),
     };
@@ -175,6 +207,7 @@ VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical, const Vk
         link->u.pLayerInfo->pfnNextGetInstanceProcAddr(VK_NULL_HANDLE, "vkCreateDevice"));
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
     const VkResult result = result_of("vkCreateDevice");
+    is_lost = is_lost && result != VK_SUCCESS;
     return result != VK_SUCCESS ? result : next(physical, info, allocator, made);
 }
 

@@ -135,9 +135,9 @@ expect_files scene.glb
 threads_from() {
     local first="$1"
     shift
-    LD_PRELOAD="$layer"/libestampe_failing_threads.so ESTAMPE_FAIL_THREADS="$first":0 timeout 100 "$@"
+    LD_PRELOAD="$layer"/libestampe_failing_calls.so ESTAMPE_FAIL_CALLS=thread:"$first":0 timeout 100 "$@"
 }
-if [[ -e "$layer"/libestampe_failing_threads.so ]]; then
+if [[ -e "$layer"/libestampe_failing_calls.so ]]; then
     for first in 1 2 3 5; do
         expect_failure "no thread from $first on" 'threads, .* could be started: Resource temporarily unavailable' \
             threads_from "$first" "$estampe" render scene.glb -o a.png "${small[@]}"
@@ -156,7 +156,7 @@ starved() { (
     shift
     "$@"
 ); }
-if [[ -e "$layer"/libestampe_failing_threads.so ]]; then # a sanitizer takes terabytes of address space
+if [[ -e "$layer"/libestampe_failing_calls.so ]]; then # a sanitizer takes terabytes of address space
     printf 'glTF\002\000\000\000\000\000\000\300\000\000\000\001JSON' >vast.glb # a sound header that promises 3 GiB
     truncate -s 3G vast.glb
     expect_failure 'a vast file' 'vast.glb: reading it needs 3.0 GiB of memory, [0-9.]* [GM]iB are free' \
@@ -191,6 +191,37 @@ vkGetQueryPoolResults:1:-4 the graphics device was lost
 CALLS
 expect_failure 'strokes of a lost device' 'was lost' failing vkQueueSubmit2:2:-4 "$estampe" render scene.glb -o a.svg "${small[@]}"
 expect_failure 'graph of a lost device' 'was lost' failing vkQueueSubmit2:2:-4 "$estampe" graph scene.glb -o a.dot "${small[@]}"
+expect_files scene.glb
+
+# A device that is lost in mid-film: the film goes on with another, and its frames are the same, also after --resume
+film=("$estampe" render scene.glb --turntable --frames 4 --size 64x48 --device cpu --style flowing-ink --set smoke.enabled=true)
+mkdir whole lost
+"${film[@]}" -o whole/%d.png 2>said || wrong "a film fails: $(cat said)"
+ESTAMPE_COUNT_CALLS=calls failing none:1:0 "${film[@]}" -o whole/%d.png 2>said
+calls="$(sed -n 's/^vulkan-main //p' calls)"
+for part in 3 5 7 9; do
+    failing "main:$((calls * part / 10)):-4" "${film[@]}" -o lost/%d.png 2>said || wrong "the film ends with its device: $(cat said)"
+    [[ $(grep -c '^estampe: warning: the graphics device was lost in frame [1-4]; the film goes on with another$' said) -eq 1 ]] ||
+        wrong "part $part: no word on it: $(cat said)"
+    diff -r whole lost || wrong "part $part: a film after a lost device is another"
+done
+"${film[@]}" -o lost/%d.png 2>said &
+while [[ ! -e lost/2.png || lost/2.png -ot said ]] && kill -0 $! 2>/dev/null; do sleep 0.01; done
+pkill -INT -P $! 2>/dev/null || kill -INT $! 2>/dev/null || true
+wait $! || true
+failing "main:$((calls / 4)):-4" "${film[@]}" -o lost/%d.png --resume 2>said || wrong "a resumed film ends with its device: $(cat said)"
+diff -r whole lost || wrong "a resumed film after a lost device is another"
+# It goes on three times for one frame; then it fails.
+status=0
+failing vkQueueSubmit2:1:-4:1000 "${film[@]}" -o lost/%d.png 2>said || status=$?
+[[ $status -eq 1 && $(grep -c '^estampe: error: .*was lost' said) -eq 1 ]] || wrong "a device lost again and again: $status, $(cat said)"
+rm -r whole lost said calls
+# The next job of a batch has another device
+printf '[[job]]\nscene = "scene.glb"\noutput = "{n}.png"\nstyle = ["comic", "pencil"]\nsize = "64x48"\n' >jobs.toml
+status=0
+failing vkQueueSubmit2:9:-4 "$estampe" batch jobs.toml --device cpu 2>said || status=$?
+[[ $status -eq 1 && -e 2.png && ! -e 1.png ]] || wrong "a job of a lost device spoils the next: $status, $(cat said)"
+rm -f jobs.toml jobs.report.json said 1.png 2.png
 expect_files scene.glb
 
 [[ $failures -eq 0 ]] || exit 1

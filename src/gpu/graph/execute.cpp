@@ -42,15 +42,25 @@ const Buffer& Recorder::buffer(BufferId id) const
 
 Executor::Executor(Device& device) : device_(device), pipelines_(device)
 {
+    try {
+        create_pools();
+    } catch (...) {
+        destroy_pools();
+        throw;
+    }
+}
+
+void Executor::create_pools()
+{
     const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                            .queueFamilyIndex = device.queue_family()};
-    vk_check(vkCreateCommandPool(device.handle(), &pool_info, nullptr, &commands_pool_),
+                                            .queueFamilyIndex = device_.queue_family()};
+    vk_check(vkCreateCommandPool(device_.handle(), &pool_info, nullptr, &commands_pool_),
              "vkCreateCommandPool");
     const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
                                            .commandPool = commands_pool_,
                                            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                            .commandBufferCount = 1};
-    vk_check(vkAllocateCommandBuffers(device.handle(), &info, &commands_), "vkAllocateCommandBuffers");
+    vk_check(vkAllocateCommandBuffers(device_.handle(), &info, &commands_), "vkAllocateCommandBuffers");
     const std::array<VkDescriptorPoolSize, 5> sizes{{
         {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, max_bindings_per_frame},
         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, max_bindings_per_frame},
@@ -62,15 +72,20 @@ Executor::Executor(Device& device) : device_(device), pipelines_(device)
                                                      .maxSets = max_passes,
                                                      .poolSizeCount = static_cast<uint32_t>(sizes.size()),
                                                      .pPoolSizes = sizes.data()};
-    vk_check(vkCreateDescriptorPool(device.handle(), &descriptor_info, nullptr, &descriptor_pool_),
+    vk_check(vkCreateDescriptorPool(device_.handle(), &descriptor_info, nullptr, &descriptor_pool_),
              "vkCreateDescriptorPool");
     const VkQueryPoolCreateInfo query_info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
                                            .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                            .queryCount = max_passes + 1};
-    vk_check(vkCreateQueryPool(device.handle(), &query_info, nullptr, &queries_), "vkCreateQueryPool");
+    vk_check(vkCreateQueryPool(device_.handle(), &query_info, nullptr, &queries_), "vkCreateQueryPool");
 }
 
 Executor::~Executor()
+{
+    destroy_pools();
+}
+
+void Executor::destroy_pools() noexcept
 {
     vkDestroyQueryPool(device_.handle(), queries_, nullptr);
     vkDestroyDescriptorPool(device_.handle(), descriptor_pool_, nullptr);

@@ -86,6 +86,10 @@ public:
 private:
     friend class Recorder;
 
+    void create_pools();
+    /// Destroys those pools that exist.
+    void destroy_pools() noexcept;
+
     static constexpr uint32_t not_there = UINT32_MAX;
 
     /// A transient resource, and the number of the last run that used it.

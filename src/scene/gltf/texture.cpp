@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <system_error>
+#include <future>
+#include <new>
 #include <thread>
 
 #include "core/image_codec.hpp"
@@ -37,7 +38,8 @@ Image white_pixel()
 }
 
 /// Calls `work(i)` for each i below `count` on up to four threads, or on as many as can be started. At the
-/// same time calls `tell(done)` on the calling thread to report progress. `tell` may throw to stop the work.
+/// same time calls `tell(done)` on the calling thread to report progress. `tell` may throw to stop the work;
+/// what `work` throws on any thread reaches the caller.
 template <typename Work, typename Tell>
 void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
 {
@@ -49,23 +51,21 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
     };
     const auto threads =
         std::min<size_t>({count, max_threads, std::max(1U, std::thread::hardware_concurrency())});
-    std::vector<std::jthread> helpers;
+    std::vector<std::future<void>> helpers;
     try {
         for (size_t i = 1; i < threads; ++i) {
-            helpers.emplace_back(loop);
+            helpers.push_back(std::async(launch_if_possible, loop));
         }
-    } catch (const std::system_error&) {
-        // If a thread cannot be started, the work is done by the threads that were started and the calling
-        // thread.
-    }
-    for (size_t i = next++; i < count; i = next++) {
-        work(i);
-        try {
+        for (size_t i = next++; i < count; i = next++) {
+            work(i);
             tell(i + 1);
-        } catch (...) {
-            next = count;
-            throw;
         }
+    } catch (...) {
+        next = count; // The helpers end, too
+        throw;
+    }
+    for (std::future<void>& helper : helpers) {
+        helper.get();
     }
 }
 
@@ -160,6 +160,8 @@ TextureTable::Decoded TextureTable::decode_one(int image) const
         const std::vector<std::byte> bytes = data_.resource(source.uri);
         decoded.is_missing = false;
         decoded.image = decode_image(bytes, name);
+    } catch (const std::bad_alloc&) {
+        throw; // Another picture for want of memory would be wrong
     } catch (const std::exception& error) {
         decoded.failure = fmt::format("{}; drawn without it", error.what());
         decoded.image = white_pixel();
