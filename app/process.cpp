@@ -104,11 +104,16 @@ bool is_out_of_memory()
 [[noreturn]] void end_at_once()
 {
     static std::atomic<bool> is_ending = false;
+    thread_local bool is_ending_here = false;
     // A forked child must not delete the files of its parent.
     if (is_out_of_memory() && getpid() == own_id) {
+        if (is_ending_here) {
+            _exit(1); // Memory ran out while temporary files were deleted
+        }
         while (is_ending.exchange(true)) {
             pause(); // Another thread ends the program
         }
+        is_ending_here = true;
         for (const char* const part : {"estampe: error: ", out_of_memory, "\n"}) {
             static_cast<void>(std::fputs(part, stderr));
         }

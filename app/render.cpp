@@ -490,9 +490,9 @@ void run(const RenderCommand& command)
         clock.finish("later frames");
     }
     write_pictures(picture, renderer, command);
-    clock.finish("write");
-
+    // Without a report, nothing below may fail: a command that fails leaves no files.
     if (reports) {
+        clock.finish("write");
         TimingReport report{
             renderer.device().name, renderer.raster_path(),   draw.output, settings,     command.repeat,
             passes.medians(),       median_of(frames_gpu_ms), solvers,     clock.steps()};

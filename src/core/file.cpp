@@ -2,6 +2,7 @@
 #include "core/file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <ctime>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,7 +35,8 @@ namespace estampe {
 namespace {
 
 /// List of the temporary files and folders that this program has not renamed to their final names yet. The
-/// list is never destroyed, because a signal may arrive while the program ends.
+/// list is never destroyed, because a signal may arrive while the program ends, and its creation takes no
+/// memory, because it is read when memory has run out.
 struct Registry {
     std::mutex guard;
     std::set<std::filesystem::path> paths;
@@ -41,7 +44,8 @@ struct Registry {
 
 Registry& registry()
 {
-    static auto* const all = new Registry;
+    alignas(Registry) static std::array<std::byte, sizeof(Registry)> place;
+    static auto* const all = new (place.data()) Registry;
     return *all;
 }
 

@@ -117,8 +117,8 @@ __attribute__((constructor)) void make_plan()
     const char* const text = std::getenv("ESTAMPE_FAIL_CALLS");
     char kind[16] = "";
     if (text != nullptr && std::sscanf(text, "%15[^:]:%ld:%ld", kind, &plan.first, &plan.count) == 3) {
-        for (int i = 0; i < kind_count; ++i) {
-            plan.kind = std::string_view(kind_names[i]) == kind ? i : plan.kind;
+        for (size_t i = 0; i < kind_count; ++i) {
+            plan.kind = std::string_view(kind_names[i]) == kind ? static_cast<int>(i) : plan.kind;
         }
     }
     if (text != nullptr && plan.kind == kind_count) {
@@ -135,7 +135,7 @@ __attribute__((destructor)) void write_counts()
         return;
     }
     if (std::FILE* const file = std::fopen(path, "a"); file != nullptr) {
-        for (int i = 0; i < kind_count; ++i) {
+        for (size_t i = 0; i < kind_count; ++i) {
             std::fprintf(file, "%s %ld\n", kind_names[i], calls[i].load());
         }
         std::fclose(file);
