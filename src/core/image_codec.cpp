@@ -360,10 +360,10 @@ void save_png(const Image& image, const std::filesystem::path& path)
     write_file_atomically(path, bytes);
 }
 
-Image load_image(const std::filesystem::path& path)
+Image load_image(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t max_file_bytes = uint64_t{1} << 31;
-    return decode_image(read_file(path, max_file_bytes), path.string());
+    return decode_image(read_file(path, max_file_bytes, scope), path.string());
 }
 
 } // namespace estampe

@@ -14,6 +14,7 @@
 #include <estampe/scene.hpp>
 
 #include "core/file.hpp"
+#include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
 #include "core/text.hpp"
 #include "scene/importers.hpp"
@@ -119,23 +120,23 @@ bool is_among(std::string_view extension, std::span<const std::string_view> exte
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-Scene read(const std::filesystem::path& path)
+Scene read(const std::filesystem::path& path, const ReadScope& scope)
 {
     const std::string extension = lower_extension(path);
     if (is_among(extension, gltf_extensions)) {
-        return load_gltf(path);
+        return load_gltf(path, scope);
     }
     if (extension == ".obj") {
-        return load_obj(path);
+        return load_obj(path, scope);
     }
     if (extension == ".ply") {
-        return load_ply(path);
+        return load_ply(path, scope);
     }
     if (extension == ".stl") {
-        return load_stl(path);
+        return load_stl(path, scope);
     }
     if (is_among(extension, other_extensions)) {
-        return load_with_assimp(path);
+        return load_with_assimp(path, scope);
     }
     throw Error(
         extension.empty() ? "has no file name extension"
@@ -158,7 +159,8 @@ void name_warnings(std::vector<std::string>& warnings, const std::string& name)
 
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
 {
-    Scene scene = read(path);
+    const JobLimits limits(options.limits);
+    Scene scene = read(path, options.scope);
     scene.files.insert(scene.files.begin(), path);
     if (!options.variant.empty()) {
         apply_variant(scene, options.variant);

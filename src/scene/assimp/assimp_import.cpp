@@ -17,6 +17,7 @@
 #include <estampe/error.hpp>
 
 #include "core/file.hpp"
+#include "core/job_limits.hpp"
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
 #include "scene/assimp/dae_document.hpp"
@@ -208,20 +209,12 @@ std::string name_of(const aiString& name)
 
 namespace {
 
-/// Lets Assimp open only regular files. Reading a pipe or a device could wait forever.
-class RegularFiles : public Assimp::DefaultIOSystem {
+/// Lets Assimp open no file. Assimp gets the scene's file as bytes; pictures are read by load_pictures().
+class NoFiles : public Assimp::DefaultIOSystem {
 public:
-    bool Exists(const char* file) const override
-    {
-        std::error_code failed;
-        return std::filesystem::is_regular_file(file, failed) &&
-               std::filesystem::file_size(file, failed) > 0; // files in the folder /proc have no size
-    }
+    bool Exists(const char* /*file*/) const override { return false; }
 
-    Assimp::IOStream* Open(const char* file, const char* mode) override
-    {
-        return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
-    }
+    Assimp::IOStream* Open(const char* /*file*/, const char* /*mode*/) override { return nullptr; }
 };
 
 Conversion convert(const aiScene& source, const std::filesystem::path& path)
@@ -244,9 +237,10 @@ const aiScene& checked(const aiScene* scene, const Assimp::Importer& importer)
     return *scene;
 }
 
-TransferScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
+TransferScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& path, const ReadScope& scope,
+                       unsigned steps)
 {
-    std::vector<std::byte> bytes = read_file(path);
+    std::vector<std::byte> bytes = read_file(path, any_length, scope);
     const std::span file(reinterpret_cast<char*>(bytes.data()), bytes.size());
     fbx::Document document;
     {
@@ -261,9 +255,10 @@ TransferScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& 
     return std::move(conversion.transfer);
 }
 
-TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
+TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& path, const ReadScope& scope,
+                       unsigned steps)
 {
-    const dae::Document document = dae::read_document(path);
+    const dae::Document document = dae::read_document(path, scope);
     const aiScene* const scene =
         importer.ReadFileFromMemory(document.text.data(), document.text.size(), steps, "dae");
     Conversion conversion = convert(checked(scene, importer), path);
@@ -282,18 +277,14 @@ TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& 
 /// Reads `path` with Assimp and converts the result to a scene. The function runs in a child process, because
 /// Assimp may crash or get stuck on a malicious file. The geometry is not repaired yet: faces share no
 /// vertices, and normals exist only if the file has them. Throws Error or std::bad_alloc.
-TransferScene read_with_assimp(const std::filesystem::path& path)
+TransferScene read_with_assimp(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
     Assimp::Importer importer;
-    importer.SetIOHandler(new RegularFiles); // the importer takes ownership of this object
+    importer.SetIOHandler(new NoFiles); // the importer takes ownership of this object
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-    const std::string extension = lower_extension(path);
-    if (extension == ".fbx")
-        return read_fbx(importer, path, steps);
-    if (extension == ".dae")
-        return read_dae(importer, path, steps);
-    return convert(checked(importer.ReadFile(path.string(), steps), importer), path).transfer;
+    return lower_extension(path) == ".fbx" ? read_fbx(importer, path, scope, steps)
+                                           : read_dae(importer, path, scope, steps);
 }
 
 uint64_t size_of_file(const std::filesystem::path& path)
@@ -337,21 +328,23 @@ void give_lights_units(Scene& scene)
 
 } // namespace
 
-Scene load_with_assimp(const std::filesystem::path& path)
+Scene load_with_assimp(const std::filesystem::path& path, const ReadScope& scope)
 {
     const uint64_t size = size_of_file(path);
     if (lower_extension(path) == ".fbx")
-        fbx::check_version(path);
+        fbx::check_version(path, scope);
     ChildLimits limits;
     limits.cpu_s = static_cast<uint32_t>(std::min<uint64_t>(10 + (size >> 20), 60));
     limits.memory_bytes = std::min<uint64_t>((uint64_t{512} << 20) + 64 * size, uint64_t{16} << 30);
+    limits.memory_bytes = std::min(limits.memory_bytes, JobLimits::of_thread().memory_bytes);
+    limits.cpu_s = static_cast<uint32_t>(std::min<double>(limits.cpu_s, std::ceil(seconds_left()) + 1.0));
     const std::vector<std::byte> bytes =
-        run_in_child([&path] { return pack(read_with_assimp(path)); }, limits, path.string());
+        run_in_child([&] { return pack(read_with_assimp(path, scope)); }, limits, path.string());
     TransferScene transfer = unpack(bytes, path.string());
     Scene& scene = transfer.scene;
     mend_meshes(scene, path.string());
     check_structure(scene, path.string());
-    FileFinder finder({path.parent_path()});
+    FileFinder finder({path.parent_path()}, scope);
     load_pictures(scene, transfer.images, finder);
     give_lights_units(scene);
     return std::move(scene);

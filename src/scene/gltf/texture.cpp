@@ -8,7 +8,9 @@
 #include <thread>
 
 #include "core/image_codec.hpp"
+#include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
+#include "core/read_scope.hpp"
 #include "scene/gltf/data.hpp"
 
 namespace estampe::gltf {
@@ -52,7 +54,10 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
     std::vector<std::jthread> helpers;
     try {
         for (size_t i = 1; i < threads; ++i) {
-            helpers.emplace_back(loop);
+            helpers.emplace_back([&loop, given = JobLimits::of_thread()] {
+                const JobLimits limits(given);
+                loop();
+            });
         }
     } catch (const std::system_error&) {
         // If a thread cannot be started, the work is done by the threads that were started and the calling
@@ -160,6 +165,8 @@ TextureTable::Decoded TextureTable::decode_one(int image) const
         const std::vector<std::byte> bytes = data_.resource(source.uri);
         decoded.is_missing = false;
         decoded.image = decode_image(bytes, name);
+    } catch (const OutsideScope& error) {
+        decoded.refusal = error.what();
     } catch (const std::exception& error) {
         decoded.failure = fmt::format("{}; drawn without it", error.what());
         decoded.image = white_pixel();
@@ -215,6 +222,9 @@ std::vector<Texture> TextureTable::decode(std::vector<std::string>& missing_file
 {
     std::map<int, Decoded> decoded = decode_all();
     for (const auto& [image, result] : decoded) {
+        if (!result.refusal.empty()) {
+            data_.fail(fmt::format("/images/{}/uri", image), result.refusal);
+        }
         if (!result.failure.empty()) {
             data_.warn(fmt::format("/images/{}", image), result.failure);
         }

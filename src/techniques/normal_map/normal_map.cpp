@@ -70,9 +70,9 @@ uint8_t byte_of(double component)
 
 } // namespace
 
-HeightMap load_height_map(const std::filesystem::path& path)
+HeightMap load_height_map(const std::filesystem::path& path, const ReadScope& scope)
 {
-    const std::vector<std::byte> bytes = read_file(path);
+    const std::vector<std::byte> bytes = read_file(path, any_length, scope);
     if (const std::optional<DeepImage> deep = decode_deep_image(bytes, path.string())) {
         return heights_of<uint16_t>(deep->width, deep->height, deep->rgba, 65535);
     }

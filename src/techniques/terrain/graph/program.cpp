@@ -224,10 +224,10 @@ HeightTexture append_floats(Program& program, const std::vector<std::byte>& byte
     return {.columns = file.image.width, .rows = file.image.height};
 }
 
-HeightTexture append_file(Program& program, const std::filesystem::path& path)
+HeightTexture append_file(Program& program, const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 30;
-    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes, scope);
     if (is_exr(bytes)) {
         return append_floats(program, bytes, path.string());
     }
@@ -238,8 +238,14 @@ HeightTexture append_file(Program& program, const std::filesystem::path& path)
 
 } // namespace
 
+std::filesystem::path texture_path(const TerrainDescription& terrain, const std::string& name)
+{
+    const std::filesystem::path path(name);
+    return terrain.folder / (path.is_absolute() ? path.filename() : path);
+}
+
 TextureInProgram texture_in(Program& program, const TextureRequest& request,
-                            const std::filesystem::path& folder)
+                            const TerrainDescription& terrain)
 {
     const auto is_same = [&](const HeightTexture& texture) {
         return texture.name == request.name && texture.is_mask == request.is_mask &&
@@ -258,7 +264,7 @@ TextureInProgram texture_in(Program& program, const TextureRequest& request,
                        .rows = request.texels,
                        .sand = request.sand};
         } else {
-            texture = append_file(program, folder / request.name);
+            texture = append_file(program, texture_path(terrain, request.name), terrain.scope);
             texture.name = request.name;
         }
         texture.first_texel = first;
