@@ -12,12 +12,15 @@
 
 #include "commands.hpp"
 #include "core/file.hpp"
+#include "core/free_memory.hpp"
+#include "core/job_limits.hpp"
 #include "core/text.hpp"
 #include "drawing.hpp"
 #include "messages.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "process.hpp"
+#include "scene/scene_limits.hpp"
 
 namespace estampe::app {
 namespace {
@@ -112,6 +115,7 @@ void BakeOptions::add_to(CLI::App& app)
         ->capture_default_str();
     command.add_flag("--no-smooth", rough_, "Keep the noise instead of smoothing the lightmap");
     command.add_flag("--no-resume", anew_, "Start again, even if OUT.partial holds an unfinished lightmap");
+    limits_.add_to(command);
     command
         .add_option("--style", style_, "Style that lights the scene by its section [light], as for render")
         ->type_name("STYLE");
@@ -145,15 +149,30 @@ BakeCommand BakeOptions::read() const
                         .up = input_.up(),
                         .world = world_.read(scene_),
                         .output = output_,
-                        .style = read_style(style_, assignments_),
+                        .style = read_style(style_, assignments_, input_.confinement()),
                         .settings = settings_,
-                        .resume = !anew_};
+                        .resume = !anew_,
+                        .confine = input_.confinement(),
+                        .limits = limits_.read()};
     command.settings.smooth = !rough_;
     command.settings.direct = read_kinds(direct_);
     return command;
 }
 
 namespace {
+
+/// Throws Error if the bake needs more memory than --max-memory leaves.
+void check_memory(const Scene& scene, const BakeSettings& settings)
+{
+    constexpr uint64_t bytes_a_texel = 128;    // sums of light, places, the lightmap and its smoothed copies
+    constexpr uint64_t bytes_a_triangle = 400; // charts, and the tree in which rays find triangles
+    if (is_memory_limited()) {
+        require_memory(bytes_a_texel * settings.size * settings.size +
+                           bytes_a_triangle * drawn_size(scene).triangles,
+                       fmt::format("a lightmap of {0} x {0} texels", settings.size), "--size",
+                       "bake a smaller lightmap");
+    }
+}
 
 /// Bakes until the lightmap is complete. Returns false when a signal stopped the work. The file `partial`
 /// holds the progress of stopped work.
@@ -164,10 +183,10 @@ bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
     Progress progress("bake", bake.done());
     Clock::time_point saved = Clock::now();
     bool has_more = true;
-    while (has_more && !was_told_to_stop()) {
+    while (has_more && !was_told_to_stop() && !is_time_up()) {
         progress.show(bake.done());
         has_more = bake.work(look_s);
-        if (has_more && (was_told_to_stop() || seconds_since(saved) > save_s)) {
+        if (has_more && (was_told_to_stop() || is_time_up() || seconds_since(saved) > save_s)) {
             bake.save_progress(partial);
             saved = Clock::now();
         }
@@ -180,6 +199,7 @@ bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
 
 void run(const BakeCommand& command)
 {
+    const JobLimits limits(command.limits);
     check_output(command.output, {command.scene});
     const std::filesystem::path partial = command.output + ".partial";
     check_output(partial, {command.scene});
@@ -188,8 +208,10 @@ void run(const BakeCommand& command)
     draw.input_format = command.input_format;
     draw.load.up = command.up;
     draw.world = command.world;
+    draw.confine = command.confine;
     Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
+    check_memory(scene, command.settings);
     LightmapBake bake(std::move(scene), command.style, command.settings);
     if (bake.leaves_out_moving()) {
         print_warnings(
@@ -205,8 +227,9 @@ void run(const BakeCommand& command)
                              command.settings.size, command.settings.size, 1000.0 / bake.texels_per_m())});
     tell_of_signals();
     if (!work_through(bake, partial)) {
-        throw Error(fmt::format("stopped at {:.0f} %", 100.0 * bake.done()), command.output,
-                    "the same command goes on from there");
+        throw Error(fmt::format("stopped at {:.0f} %{}", 100.0 * bake.done(),
+                                was_told_to_stop() ? "" : ": the time of --max-seconds is over"),
+                    command.output, "the same command goes on from there");
     }
     save_lightmap(bake.map(), command.output);
     std::filesystem::remove(partial);

@@ -27,6 +27,7 @@ public:
 private:
     std::string scene_;
     SceneOptions input_;
+    LimitOptions limits_;
     WorldOptions world_;
     std::string output_;
     std::string style_;

@@ -18,6 +18,7 @@
 #include "commands.hpp"
 #include "core/failure.hpp"
 #include "core/file.hpp"
+#include "core/job_limits.hpp"
 #include "core/text.hpp"
 #include "drawing.hpp"
 #include "film.hpp"
@@ -85,6 +86,8 @@ void BatchOptions::add_to(CLI::App& app)
                     "File for the report on all jobs [JOBS.report.json, with a shard\n"
                     "JOBS.I-of-N.report.json]")
         ->type_name("JSON");
+    add_confine_flag(command, is_confined_);
+    limits_.add_to(command);
     add_no_cache_flag(command);
     command
         .add_option("--device", device_,
@@ -121,6 +124,10 @@ BatchCommand BatchOptions::read() const
     check_device(device_);
     batch.device.device = device_;
     batch.device.raster = parse_raster_path(raster_);
+    batch.limits = limits_.read();
+    if (is_confined_) {
+        batch.confine = {.is_on = true, .jobs = ReadScope::beside(jobs_)};
+    }
     return batch;
 }
 
@@ -305,10 +312,10 @@ void check_outputs_differ(const std::vector<BatchJob>& jobs)
 
 } // namespace
 
-std::vector<BatchJob> read_jobs(const std::string& file)
+std::vector<BatchJob> read_jobs(const std::string& file, const ReadScope& scope)
 {
     constexpr uint64_t most_bytes = uint64_t{16} << 20U;
-    const std::vector<std::byte> bytes = read_file(file, most_bytes);
+    const std::vector<std::byte> bytes = read_file(file, most_bytes, scope);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const std::vector<WordTable> tables = style::parse_toml_words(text, file);
     Entries defaults;
@@ -354,7 +361,7 @@ std::vector<BatchJob> shard_of(const std::vector<BatchJob>& jobs, uint32_t shard
 
 } // namespace
 
-RenderCommand command_of(const BatchJob& job, const RendererOptions& device)
+RenderCommand command_of(const BatchJob& job, const RendererOptions& device, const Confinement& confine)
 {
     std::vector<const char*> arguments{"estampe", "render"};
     for (const std::string& argument : job.arguments) {
@@ -362,10 +369,15 @@ RenderCommand command_of(const BatchJob& job, const RendererOptions& device)
     }
     try {
         const std::optional<Command> command =
-            read_command_line(static_cast<int>(arguments.size()), arguments.data());
+            read_command_line(static_cast<int>(arguments.size()), arguments.data(), &confine);
         RenderCommand render = std::get<RenderCommand>(command.value());
         if (render.draw.output == standard_output) {
             throw Error("a job of a batch writes a file", "output");
+        }
+        for (const std::string& output : {render.draw.output, render.picture.layers, render.motion}) {
+            if (!output.empty()) {
+                check_output_inside(output, confine.jobs);
+            }
         }
         render.draw.device = device;
         render.is_quiet = true;
@@ -478,12 +490,12 @@ private:
 };
 
 JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job, const std::string& jobs_file,
-                   const RendererOptions& device)
+                   const RendererOptions& device, const Confinement& confine)
 {
     const Clock::time_point start = Clock::now();
     JobResult result{.status = JobResult::Status::failed};
     try {
-        const RenderCommand command = command_of(job, device);
+        const RenderCommand command = command_of(job, device, confine);
         check_outputs(command, {command.draw.scene, command.draw.lightmap, jobs_file});
         const Scene& scene = scenes.ensure(command.draw);
         if (command.film) {
@@ -510,8 +522,9 @@ void conclude(const BatchCommand& command, const std::vector<JobResult>& results
     };
     const std::string remedy = fmt::format("{} tells which", command.report);
     if (const auto left = count(JobResult::Status::not_begun); left > 0) {
-        throw Error(fmt::format("stopped with {} of {} jobs not begun", left, results.size()), command.jobs,
-                    remedy);
+        throw Error(fmt::format("stopped with {} of {} jobs not begun{}", left, results.size(),
+                                is_time_up() ? ": the time of --max-seconds is over" : ""),
+                    command.jobs, remedy);
     }
     if (const auto failed = count(JobResult::Status::failed); failed > 0) {
         throw Error(fmt::format("{} of {} jobs failed", failed, results.size()), command.jobs, remedy);
@@ -522,7 +535,10 @@ void conclude(const BatchCommand& command, const std::vector<JobResult>& results
 
 void run(const BatchCommand& command)
 {
-    const std::vector<BatchJob> jobs = shard_of(read_jobs(command.jobs), command.shard, command.shards);
+    const JobLimits limits(command.limits);
+    const std::vector<BatchJob> jobs =
+        shard_of(read_jobs(command.jobs, command.confine.jobs), command.shard, command.shards);
+    check_output_inside(command.report, command.confine.of(command.report));
     check_output(command.report, {command.jobs});
     std::vector<JobResult> results(jobs.size());
     tell_of_signals();
@@ -532,10 +548,10 @@ void run(const BatchCommand& command)
     // The report is written after each job, so that a report exists even if the program is stopped.
     const auto report = [&] { write_report(command, renderer.device().name, jobs, results); };
     report();
-    for (size_t i = 0; i < jobs.size() && !was_told_to_stop(); ++i) {
+    for (size_t i = 0; i < jobs.size() && !was_told_to_stop() && !is_time_up(); ++i) {
         progress.show(static_cast<double>(i) / static_cast<double>(jobs.size()),
                       fmt::format("job {} of {}", i + 1, jobs.size()));
-        results[i] = draw_job(renderer, scenes, jobs[i], command.jobs, command.device);
+        results[i] = draw_job(renderer, scenes, jobs[i], command.jobs, command.device, command.confine);
         progress.clear();
         if (results[i].status == JobResult::Status::failed) {
             print_warnings({fmt::format("job {}: {}", jobs[i].number, results[i].error)});

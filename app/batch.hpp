@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "option_values.hpp"
 #include "options.hpp"
 
 namespace estampe::app {
@@ -24,6 +25,8 @@ private:
     std::string jobs_;
     std::string report_;
     std::string shard_;
+    bool is_confined_ = false;
+    LimitOptions limits_;
     std::string device_ = "auto";
     std::string raster_ = "auto";
 };
@@ -38,11 +41,13 @@ struct BatchJob {
 };
 
 /// Reads a job file. Each combination of the listed scenes, cameras and styles becomes a job. Throws Error,
-/// with file, line and column, for an invalid job, and for two jobs with the same output.
-[[nodiscard]] std::vector<BatchJob> read_jobs(const std::string& file);
+/// with file, line and column, for an invalid job, for two jobs with the same output, and for a jobs file
+/// outside of `scope`.
+[[nodiscard]] std::vector<BatchJob> read_jobs(const std::string& file, const ReadScope& scope = {});
 
-/// Returns the render command of a batch job. Throws Error for invalid options and for a style that cannot be
-/// read.
-[[nodiscard]] RenderCommand command_of(const BatchJob& job, const RendererOptions& device);
+/// Returns the render command of a batch job. Throws Error for invalid options, for a style that cannot be
+/// read, and for an output outside of the scope of `confine`.
+[[nodiscard]] RenderCommand command_of(const BatchJob& job, const RendererOptions& device,
+                                       const Confinement& confine = {});
 
 } // namespace estampe::app

@@ -10,6 +10,7 @@
 
 #include "bake.hpp"
 #include "batch.hpp"
+#include "confine.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "drawing.hpp"
@@ -40,6 +41,7 @@ DrawOptions read_draw_options(const TypedOptions& typed)
     draw.scene = typed.scene;
     draw.input_format = typed.input.format();
     draw.load.up = typed.input.up();
+    draw.confine = typed.of_job ? *typed.of_job : typed.input.confinement();
     if (draw.load.up && (world_of(typed.scene) != nullptr || lower_extension(typed.scene) == ".toml")) {
         throw UsageError("is for files of scenes; terrains and worlds have y up", "--up", "leave it out");
     }
@@ -67,7 +69,9 @@ DrawOptions read_draw_options(const TypedOptions& typed)
     }
     typed.transparent.assign(draw.assignments);
     draw.assignments.insert(draw.assignments.end(), typed.assignments.begin(), typed.assignments.end());
-    draw.style = read_style(typed.style, draw.assignments);
+    draw.is_of_job = typed.of_job != nullptr;
+    const auto read = [&] { return read_style(typed.style, draw.assignments, draw.confine); };
+    draw.style = draw.is_of_job ? unquoted("style", "styles", read) : read();
     if (draw.page.height_mm) {
         check_page_is_free(typed.assignments);
         draw.style.set(fmt::format("paper.height_mm={}", *draw.page.height_mm));
@@ -78,6 +82,7 @@ DrawOptions read_draw_options(const TypedOptions& typed)
                          fmt::format("allowed: {} or more", least_tile_px));
     }
     draw.tile_px = typed.tile_px;
+    draw.limits = typed.limits.read();
     return draw;
 }
 
@@ -163,16 +168,18 @@ TamCommand read_tam(const TypedOptions& typed)
         throw UsageError("the sheet is a PNG picture", "--preview " + typed.preview,
                          "the name must end in .png");
     }
-    return {.style = read_style(typed.style, typed.assignments),
+    const Confinement confine{.is_on = typed.is_confined, .jobs = {}};
+    return {.style = read_style(typed.style, typed.assignments, confine),
             .from = typed.from,
             .brush = typed.brush,
             .output = typed.output,
-            .preview = typed.preview};
+            .preview = typed.preview,
+            .confine = confine};
 }
 
 StylesCommand read_styles(const CLI::App& app, const TypedOptions& typed)
 {
-    StylesCommand styles{.style = typed.style, .schema = typed.schema};
+    StylesCommand styles{.style = typed.style, .schema = typed.schema, .confine = typed.input.confinement()};
     if (typed.sheet.empty()) {
         return styles;
     }
@@ -201,6 +208,7 @@ Command to_command(const CLI::App& app, const TypedOptions& typed)
                            .input_format = typed.input.format(),
                            .up = typed.input.up(),
                            .world = typed.world.read(typed.scene),
+                           .confine = typed.input.confinement(),
                            .json = typed.json};
     }
     if (app.got_subcommand("devices")) {
@@ -323,12 +331,13 @@ std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::
 
 } // namespace
 
-std::optional<Command> read_command_line(int argc, const char* const* argv)
+std::optional<Command> read_command_line(int argc, const char* const* argv, const Confinement* of_job)
 {
     if (std::optional<StyleManualCommand> manual = style_manual_of({argv, static_cast<size_t>(argc)})) {
         return *manual;
     }
     TypedOptions typed;
+    typed.of_job = of_job;
     CLI::App app("Draws 3D scenes as a hand would: pen, ink and paper.", "estampe");
     app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);
     app.require_subcommand(0, 1);

@@ -21,6 +21,7 @@
 #include "core/image_codec.hpp"
 #include "drawing.hpp"
 #include "messages.hpp"
+#include "option_values.hpp"
 #include "piped_scene.hpp"
 #include "report.hpp"
 #include "viewer/viewer.hpp"
@@ -52,6 +53,7 @@ void run(const InfoCommand& command)
     draw.input_format = command.input_format;
     draw.load.up = command.up;
     draw.world = command.world;
+    draw.confine = command.confine;
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
     fmt::print("{}", report_scene(scene, command.scene, command.json, world_of(command.scene)));
@@ -69,7 +71,8 @@ void run(const StylesCommand& command)
         return;
     }
     if (!command.style.empty()) {
-        fmt::print("{}", Style::load(command.style).to_toml());
+        const ReadScope scope = style_scope(command.style, command.confine);
+        fmt::print("{}", Style::load(command.style, scope).to_toml());
         return;
     }
     const auto list = [](const std::vector<std::string>& names) {
@@ -123,7 +126,7 @@ TonalArtMap draw_map(const TamCommand& command)
     if (command.brush.empty()) {
         return draw_tonal_art_map(command.style);
     }
-    const Image picture = load_image(command.brush);
+    const Image picture = load_image(command.brush, command.confine.of(command.brush));
     try {
         return draw_tonal_art_map(command.style, &picture);
     } catch (const Error& problem) {
@@ -131,9 +134,9 @@ TonalArtMap draw_map(const TamCommand& command)
     }
 }
 
-TonalArtMap convert_map(const std::string& from)
+TonalArtMap convert_map(const std::string& from, const Confinement& confine)
 {
-    PaintedMap painted = load_tonal_art_map(from);
+    PaintedMap painted = load_tonal_art_map(from, confine.of(from));
     print_warnings(painted.warnings);
     return std::move(painted.map);
 }
@@ -149,7 +152,8 @@ void run(const TamCommand& command)
     if (!command.preview.empty()) {
         check_output(command.preview, inputs);
     }
-    const TonalArtMap map = command.from.empty() ? draw_map(command) : convert_map(command.from);
+    const TonalArtMap map =
+        command.from.empty() ? draw_map(command) : convert_map(command.from, command.confine);
     if (command.preview.empty()) {
         save_tonal_art_map(map, command.output);
         return;

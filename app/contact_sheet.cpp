@@ -147,7 +147,7 @@ Image draw_contact_sheet(const DrawOptions& draw)
     WorldAnimator animator(in_preset, scene, worlds::Occasion::picture);
     std::vector<SheetEntry> entries;
     for (const std::string& name : Style::presets()) {
-        in_preset.style = read_style(name, draw.assignments);
+        in_preset.style = read_style(name, draw.assignments, draw.confine);
         const Style style = animator.show(renderer, draw.time_s, camera);
         entries.push_back({renderer.render(camera, style, settings_of(draw, animation)), name});
     }

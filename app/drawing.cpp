@@ -18,6 +18,7 @@
 
 #include "core/file.hpp"
 #include "core/text.hpp"
+#include "features/common/style_tables.hpp"
 #include "messages.hpp"
 #include "piped_scene.hpp"
 #include "scene/view_analysis/view_analysis.hpp"
@@ -173,18 +174,33 @@ void check_is_known(const std::string& scene)
                 meant.empty() ? known_worlds() : fmt::format("did you mean the world {}?", meant));
 }
 
+/// Returns the path of the scene's file. Under --confine only standard input is a pipe, and a scene from
+/// there has no files beside it.
+std::filesystem::path file_of(const DrawOptions& draw)
+{
+    if (!draw.confine.is_on) {
+        return scene_file(draw.scene, draw.input_format);
+    }
+    constexpr uint64_t most_bytes = uint64_t{4} << 30U;
+    return draw.scene == standard_input
+               ? scene_file(draw.scene, draw.input_format, most_bytes, BesidePipe::nothing)
+               : std::filesystem::path(draw.scene);
+}
+
 /// Loads the scene from its file or pipe. Error messages contain the name that the user typed.
 Scene load_file_of(const DrawOptions& draw)
 {
     if (!is_piped(draw.scene)) {
         check_is_known(draw.scene);
     }
-    const std::filesystem::path file = scene_file(draw.scene, draw.input_format);
+    const std::filesystem::path file = file_of(draw);
+    LoadOptions options = draw.load;
+    options.scope = draw.confine.of(file);
     const auto typed = [&](const std::string& text) { return with_typed_name(text, draw.scene, file); };
     try {
-        Scene scene = load_scene(file, draw.load);
+        Scene scene = load_scene(file, options);
         std::ranges::transform(scene.warnings, scene.warnings.begin(), typed);
-        if (file != draw.scene && !scene.missing_files.empty()) {
+        if (file != draw.scene && !scene.missing_files.empty() && !draw.confine.is_on) {
             scene.warnings.push_back(missing_beside_pipe(scene.missing_files, draw.scene));
         }
         return scene;
@@ -204,6 +220,12 @@ ViewDirection direction_of_camera(const Camera& camera)
             .elevation_deg = glm::degrees(std::asin(std::clamp(back.y, -1.0, 1.0)))};
 }
 
+Terrain terrain_of(const DrawOptions& draw, const std::string& file)
+{
+    const auto read = [&] { return Terrain(load_terrain(file, draw.confine.of(file))); };
+    return draw.is_of_job ? unquoted("terrain", "info", read) : read();
+}
+
 } // namespace
 
 Scene load_scene_of(const DrawOptions& draw)
@@ -215,7 +237,7 @@ Scene load_scene_of(const DrawOptions& draw)
     if (lower_extension(draw.scene) == ".toml") {
         refuse_variant(draw);
         Scene scene{.name = draw.scene, .materials = {Material{}}};
-        scene.terrain = Terrain(load_terrain(draw.scene));
+        scene.terrain = terrain_of(draw, draw.scene);
         scene.files = {draw.scene};
         return scene;
     }
@@ -224,7 +246,7 @@ Scene load_scene_of(const DrawOptions& draw)
         add_all_animations(scene);
     }
     if (!draw.terrain.empty()) {
-        scene.terrain = Terrain(load_terrain(draw.terrain));
+        scene.terrain = terrain_of(draw, draw.terrain);
         lift(scene, scene.terrain->sample(0.0, 0.0, draw.time_s).height_m);
     }
     return scene;
@@ -248,6 +270,24 @@ std::vector<std::filesystem::path> input_files(const DrawOptions& draw, const Sc
     return files;
 }
 
+ReadScope input_scope(const DrawOptions& draw)
+{
+    ReadScope scope;
+    const auto add = [&](const ReadScope& more) {
+        scope.folders.insert(scope.folders.end(), more.folders.begin(), more.folders.end());
+    };
+    for (const std::string& file : {draw.terrain, draw.lightmap}) {
+        if (!file.empty()) {
+            add(draw.confine.of(file));
+        }
+    }
+    if (draw.confine.is_on) {
+        add(draw.confine.of(file_of(draw)));
+        add(draw.style.tables().hatch.scope);
+    }
+    return scope;
+}
+
 bool load_the_same(const DrawOptions& a, const DrawOptions& b)
 {
     const auto make_same_world = [&] {
@@ -256,8 +296,8 @@ bool load_the_same(const DrawOptions& a, const DrawOptions& b)
                                        .make_same_scene(worlds::Values(world->options, b.world));
     };
     return a.scene == b.scene && a.input_format == b.input_format && a.load == b.load &&
-           a.terrain == b.terrain && (a.animation == all_animations) == (b.animation == all_animations) &&
-           make_same_world();
+           a.confine == b.confine && a.terrain == b.terrain &&
+           (a.animation == all_animations) == (b.animation == all_animations) && make_same_world();
 }
 
 bool has_camera_of_file(const DrawOptions& draw, const Scene& scene)
@@ -317,9 +357,13 @@ RenderSettings settings_of(const DrawOptions& draw, Index animation)
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
 {
     // A lightmap on the command line replaces the lightmaps that the scene's file names.
-    const std::optional<Lightmap> lightmap = draw.lightmap.empty()
-                                                 ? named_lightmap(scene_file(draw.scene, draw.input_format))
-                                                 : load_lightmap(draw.lightmap);
+    std::optional<Lightmap> lightmap;
+    if (draw.lightmap.empty()) {
+        const std::filesystem::path file = file_of(draw);
+        lightmap = named_lightmap(file, draw.confine.of(file));
+    } else {
+        lightmap = load_lightmap(draw.lightmap, draw.confine.of(draw.lightmap));
+    }
     try {
         renderer.set_scene(scene, lightmap ? &*lightmap : nullptr);
     } catch (const Error& problem) {

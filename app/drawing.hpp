@@ -23,6 +23,9 @@ namespace estampe::app {
 /// lightmap, and those that its style names.
 [[nodiscard]] std::vector<std::filesystem::path> input_files(const DrawOptions& draw, const Scene& scene);
 
+/// Returns the scope in which input_files() may be read; without a limit if `draw` is not confined.
+[[nodiscard]] ReadScope input_scope(const DrawOptions& draw);
+
 /// Returns whether load_scene_of() returns equal scenes for `a` and `b`.
 [[nodiscard]] bool load_the_same(const DrawOptions& a, const DrawOptions& b);
 

@@ -2,6 +2,7 @@
 #include "film.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <future>
@@ -18,6 +19,7 @@
 
 #include "core/file.hpp"
 #include "core/hash.hpp"
+#include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
 #include "drawing.hpp"
 #include "features/common/style_tables.hpp"
@@ -94,7 +96,7 @@ FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene
 }
 
 /// Adds the content of a file, or of all files of a folder and its folders.
-void add_content(Hash& hash, const std::filesystem::path& input)
+void add_content(Hash& hash, const std::filesystem::path& input, const ReadScope& scope)
 {
     std::vector<std::filesystem::path> files{input};
     if (std::filesystem::is_directory(input)) {
@@ -104,7 +106,7 @@ void add_content(Hash& hash, const std::filesystem::path& input)
     for (const std::filesystem::path& file : files) {
         if (std::filesystem::is_regular_file(file)) {
             hash.add_text(file.filename().string());
-            hash.add_all(read_file(file));
+            hash.add_all(read_file(file, any_length, scope));
         }
     }
 }
@@ -118,8 +120,9 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add_text(draw.style.to_toml());
     hash.add_text(renderer.device().name + renderer.device().driver + name_of(renderer.raster_path()));
     hash.add_text(draw.scene);
+    const ReadScope scope = input_scope(draw);
     for (const std::filesystem::path& input : input_files(draw, scene)) {
-        add_content(hash, input);
+        add_content(hash, input, scope);
     }
     hash.add(draw.page.width);
     hash.add(draw.page.height);
@@ -160,6 +163,21 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add(film.turntable);
     hash.add(film.flies);
     return hash.value();
+}
+
+/// Calls `work`, which draws a frame or reads what the next frame needs, and returns its result. The work is
+/// finished even if the time limit is over meanwhile, so that the film can be continued. Only work that takes
+/// longer than the whole limit is given up.
+template <typename Work>
+auto to_its_end(const Work& work)
+{
+    JobLimits::OfThread limits = JobLimits::of_thread();
+    if (limits.end != JobLimits::Clock::time_point::max()) {
+        limits.end += std::chrono::duration_cast<JobLimits::Clock::duration>(
+            std::chrono::duration<double>(limits.seconds));
+    }
+    const JobLimits of_work(limits);
+    return work();
 }
 
 /// A film that is being drawn.
@@ -205,8 +223,8 @@ public:
         return next;
     }
 
-    /// Draws all frames from frame `next` on, or until a signal arrives. Returns the number of the first
-    /// frame that is not drawn.
+    /// Draws all frames from frame `next` on, or until a signal arrives or the time limit is over. Returns
+    /// the number of the first frame that is not drawn.
     [[nodiscard]] uint32_t draw_from(uint32_t next)
     {
         constexpr double keep_s = 5.0;
@@ -217,16 +235,16 @@ public:
         Clock::time_point kept = Clock::now();
         // The program checks for a signal once per frame. With two checks, a signal between the checks would
         // end the film after a frame without a saved state. The film could then not be continued.
-        bool stops = was_told_to_stop();
+        bool stops = was_told_to_stop() || is_time_up();
         while (next <= film_.last && !stops) {
             progress.show(share(next), fmt::format("frame {} of {}", next, film_.last));
             const Clock::time_point start = Clock::now();
             FilmQueue::Frame frame{.number = next};
             outlasting_lost_devices(next, [&] {
-                frame.image = draw_frame(next);
-                stops = stops || was_told_to_stop();
+                frame.image = to_its_end([&] { return draw_frame(next); });
+                stops = stops || was_told_to_stop() || is_time_up();
                 if (stops || next == film_.last || seconds_since(kept) > keep_s) {
-                    frame.memory = renderer_.film_memory();
+                    frame.memory = to_its_end([&] { return renderer_.film_memory(); });
                 }
             });
             add_cost(next, seconds_since(start));
@@ -453,10 +471,15 @@ FilmCost draw_film(Renderer& renderer, const Scene& scene, const RenderCommand& 
     const FilmChoice film = with_end(*command.film, draw, scene, animation);
     FilmJob job(timed, film, scene, animation, renderer);
     const uint32_t next = job.draw_from(job.recall());
-    job.finish(next > film.last);
-    if (next <= film.last) {
-        throw Error(fmt::format("stopped after frame {} of {}", next - 1, film.last), draw.output,
-                    "the same command with --resume goes on from there");
+    const bool is_whole = next > film.last;
+    const bool is_late = !is_whole && !was_told_to_stop();
+    if (!is_late) {
+        job.finish(is_whole);
+    }
+    if (!is_whole) {
+        throw Error(fmt::format("stopped after frame {} of {}{}", next - 1, film.last,
+                                is_late ? ": the time of --max-seconds is over" : ""),
+                    draw.output, "the same command with --resume goes on from there");
     }
     return job.cost();
 }

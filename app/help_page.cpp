@@ -34,11 +34,12 @@ const std::vector<OptionGroup>& option_groups()
         {"Most used",
          {"output", "style", "set", "size", "page", "camera", "view", "time", "animation", "samples"}},
         {other_options, {}},
-        {"Scene", {"up", "input-format", "variant", "world", "seed", "terrain", "lightmap"}},
+        {"Scene", {"up", "input-format", "variant", "world", "seed", "terrain", "lightmap", "confine"}},
         {"Picture", {"transparent", "draft", "ortho", "dpi", "landscape", "tile"}},
         {"Film", {"frames", "fps", "turntable", "film", "resume"}},
         {"Output", {"format", "depth", "quality", "layers", "layer", "motion", "since", "hidden", "plotter"}},
-        {"Device", {"device", "raster", "no-cache", "repeat", "timings", "json"}},
+        {"Device",
+         {"device", "raster", "no-cache", "max-memory", "max-seconds", "repeat", "timings", "json"}},
         {"Help", {"help", "help-all", "help-style", "man", "completion", "version"}}};
     return groups;
 }
@@ -183,9 +184,9 @@ std::string HelpPage::make_help(const CLI::App* app, std::string name, CLI::AppF
                             command->get_description());
     }
     page += first_example(app->get_footer(), name);
-    return page + (commands.empty()
-                       ? fmt::format("{} --help-all explains every option in full.\n", name)
-                       : fmt::format("{} COMMAND --help lists the options of a command.\n", name));
+    // The help of a command lists --help-all among its options.
+    return commands.empty() ? page
+                            : page + fmt::format("{} COMMAND --help lists the options of a command.\n", name);
 }
 
 } // namespace estampe::app

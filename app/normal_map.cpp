@@ -85,6 +85,7 @@ void NormalMapOptions::add_to(CLI::App& app)
             ->type_name("FILE")
             ->excludes(relief)
             ->excludes(edges);
+    add_confine_flag(command, is_confined_);
     for (CLI::Option* option : add_baking(command)) {
         option->needs(from);
     }
@@ -167,7 +168,8 @@ Command NormalMapOptions::read() const
                             .output = output_,
                             .settings = {.relief = relief_,
                                          .wraps = is_first(edges_, "--edges", "wrap", "clamp"),
-                                         .is_green_down = !is_first(green_, "--green", "up", "down")}};
+                                         .is_green_down = !is_first(green_, "--green", "up", "down")},
+                            .confine = {.is_on = is_confined_, .jobs = {}}};
 }
 
 NormalBakeCommand NormalMapOptions::read_baking() const
@@ -176,7 +178,11 @@ NormalBakeCommand NormalMapOptions::read_baking() const
     check_range("--samples", baking_.samples, 1, 8);
     check_range("--border", baking_.border, 0, 64);
     check_range("--uv", baking_.uv_set, 0, 1);
-    NormalBakeCommand command{.plain = source_, .detailed = from_, .output = output_, .settings = baking_};
+    NormalBakeCommand command{.plain = source_,
+                              .detailed = from_,
+                              .output = output_,
+                              .settings = baking_,
+                              .confine = {.is_on = is_confined_, .jobs = {}}};
     if (distance_->count() > 0) {
         if (!(distance_m_ > 0.0)) {
             throw UsageError(fmt::format("{} is out of range", distance_m_), "--distance",
@@ -195,7 +201,7 @@ void run(const NormalMapCommand& command)
 {
     constexpr double most_step_texels = 0.25;
     check_output(command.output, {command.picture});
-    const HeightMap heights = load_height_map(command.picture);
+    const HeightMap heights = load_height_map(command.picture, command.confine.of(command.picture));
     const double step_texels = height_step_texels(heights, command.settings);
     if (step_texels > most_step_texels) {
         print_notes(
@@ -209,9 +215,11 @@ void run(const NormalMapCommand& command)
 
 namespace {
 
-Scene load_mesh(const std::string& file)
+Scene load_mesh(const std::string& file, const Confinement& confine)
 {
-    Scene scene = load_scene(file);
+    LoadOptions options;
+    options.scope = confine.of(file);
+    Scene scene = load_scene(file, options);
     print_warnings(scene.warnings);
     scene.name = file; // for the messages of errors
     return scene;
@@ -257,8 +265,8 @@ void tell_losses(const NormalBakeCommand& command, const BakedNormals& baked)
 void run(const NormalBakeCommand& command)
 {
     check_output(command.output, {command.plain, command.detailed});
-    const Scene plain = load_mesh(command.plain);
-    const Scene detailed = load_mesh(command.detailed);
+    const Scene plain = load_mesh(command.plain, command.confine);
+    const Scene detailed = load_mesh(command.detailed, command.confine);
     constexpr double short_s = 1.0; // a shorter job shows no progress
     Progress progress("normalmap", 0.0);
     const ProgressWatch watch([&, start = Clock::now()](double share) {

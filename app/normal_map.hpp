@@ -28,6 +28,7 @@ private:
     [[nodiscard]] std::vector<CLI::Option*> add_baking(CLI::App& command);
     [[nodiscard]] NormalBakeCommand read_baking() const;
 
+    bool is_confined_ = false;
     std::string source_;
     std::string output_;
     double relief_ = NormalMapSettings().relief;

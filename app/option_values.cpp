@@ -2,6 +2,8 @@
 #include "option_values.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
@@ -16,6 +18,7 @@
 #include "gpu/pipelines.hpp"
 #include "options.hpp"
 #include "piped_scene.hpp"
+#include "style/schema.hpp"
 
 namespace estampe::app {
 namespace {
@@ -167,9 +170,26 @@ void check_range(const char* option, uint32_t typed, uint32_t least, uint32_t mo
     }
 }
 
-Style read_style(const std::string& name, const std::vector<std::string>& assignments)
+ReadScope style_scope(const std::string& name, const Confinement& confine)
 {
-    Style style = name.empty() ? Style() : Style::load(name);
+    ReadScope scope = confine.jobs;
+    if (confine.is_on && !scope.is_limited() && !name.empty()) {
+        for (const std::string& part : style::parts_of(name)) {
+            if (style::preset_text(part)) {
+                continue;
+            }
+            scope.folders.push_back(ReadScope::beside(part).folders.front());
+        }
+    }
+    return scope;
+}
+
+Style read_style(const std::string& name, const std::vector<std::string>& assignments,
+                 const Confinement& confine)
+{
+    ReadScope scope = style_scope(name, confine);
+    Style style = name.empty() ? Style() : Style::load(name, scope);
+    const std::vector<std::filesystem::path> named = style.files();
     for (const std::string& assignment : assignments) {
         try {
             style.set(assignment);
@@ -177,6 +197,14 @@ Style read_style(const std::string& name, const std::vector<std::string>& assign
             throw UsageError(problem.what());
         }
     }
+    // The user of the command line may let an assignment name a file anywhere; a job may not.
+    for (const std::filesystem::path& file : style.files()) {
+        const bool is_assigned = std::ranges::find(named, file) == named.end();
+        if (is_assigned && confine.is_on && !confine.jobs.is_limited()) {
+            scope.folders.push_back(ReadScope::beside(file).folders.front());
+        }
+    }
+    style.limit_files(scope);
     return style;
 }
 
@@ -192,6 +220,7 @@ void SceneOptions::add_to(CLI::App& command)
                     "Format of a scene on standard input: glb, gltf, obj, ply, stl, fbx or\n"
                     "dae [recognised by its content, if possible]")
         ->type_name("NAME");
+    add_confine_flag(command, is_confined_);
 }
 
 std::optional<UpAxis> SceneOptions::up() const
@@ -203,6 +232,61 @@ std::string SceneOptions::format() const
 {
     check_input_format(format_);
     return format_;
+}
+
+void LimitOptions::add_to(CLI::App& command)
+{
+    command
+        .add_option("--max-memory", memory_,
+                    "Most memory that may be used, such as 500M or 4G. Work that needs more\n"
+                    "is refused before it begins. [what is free]")
+        ->type_name("SIZE");
+    command
+        .add_option("--max-seconds", seconds_,
+                    "Most seconds until the program stops, without an output [no limit]")
+        ->type_name("N");
+}
+
+WorkLimits LimitOptions::read() const
+{
+    WorkLimits limits;
+    if (!memory_.empty()) {
+        const std::optional<uint64_t> bytes = parse_bytes(memory_);
+        if (!bytes) {
+            throw UsageError(fmt::format("{} is no amount of memory", in_quotes(memory_)), "--max-memory",
+                             "write 500M for 500 MiB, or 4G for 4 GiB");
+        }
+        limits.max_memory_bytes = *bytes;
+    }
+    if (seconds_) {
+        if (!(*seconds_ > 0.0)) {
+            throw UsageError("is not more than 0", "--max-seconds", "write the seconds, such as 60");
+        }
+        limits.max_seconds = *seconds_;
+    }
+    return limits;
+}
+
+std::optional<uint64_t> parse_bytes(std::string_view text)
+{
+    std::string low = lower_case(text);
+    for (const char* unit : {"ib", "b"}) {
+        if (low.ends_with(unit)) {
+            low.resize(low.size() - std::string_view(unit).size());
+            break;
+        }
+    }
+    constexpr std::string_view prefixes = "kmgt";
+    double factor = 1.0;
+    if (const size_t prefix = low.empty() ? std::string_view::npos : prefixes.find(low.back());
+        prefix != std::string_view::npos) {
+        factor = std::exp2(10.0 * static_cast<double>(prefix + 1));
+        low.pop_back();
+    }
+    constexpr double most_bytes = 1e18;
+    const std::optional<double> number = number_from<double>(low);
+    const double bytes = number.value_or(0.0) * factor;
+    return bytes >= 1.0 && bytes <= most_bytes ? std::optional(static_cast<uint64_t>(bytes)) : std::nullopt;
 }
 
 void add_no_cache_flag(CLI::App& command)

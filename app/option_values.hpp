@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,13 +62,18 @@ inline constexpr std::array draft_assignments{"hatch.layers=1",         "contour
                                               "occlusion.enabled=false"};
 
 /// Returns the style that `--style` names, or the default style, with the assignments of `--set` applied.
-/// Throws UsageError for an invalid assignment, Error for a style that cannot be read.
-[[nodiscard]] Style read_style(const std::string& name, const std::vector<std::string>& assignments);
+/// Throws UsageError for an invalid assignment, Error for a style that cannot be read. The style may name
+/// files within `confine`, and assignments any file that is not confined to a batch.
+[[nodiscard]] Style read_style(const std::string& name, const std::vector<std::string>& assignments,
+                               const Confinement& confine = {});
 
-/// The options for reading a scene: --up and --input-format.
+/// Returns the scope for the files of the style that `name` names: the folders of all its files.
+[[nodiscard]] ReadScope style_scope(const std::string& name, const Confinement& confine);
+
+/// The options for reading a scene: --up, --input-format and --confine.
 class SceneOptions {
 public:
-    /// Adds --up and --input-format to the command; this object must outlive the parsing.
+    /// Adds the options to the command; this object must outlive the parsing.
     void add_to(CLI::App& command);
 
     /// Returns the axis of the file that points up, if one was typed. Throws UsageError for an invalid axis.
@@ -77,10 +83,31 @@ public:
     /// unknown format.
     [[nodiscard]] std::string format() const;
 
+    [[nodiscard]] Confinement confinement() const { return {.is_on = is_confined_, .jobs = {}}; }
+
 private:
+    bool is_confined_ = false;
     std::string up_;
     std::string format_;
 };
+
+/// The options --max-memory and --max-seconds.
+class LimitOptions {
+public:
+    /// Adds the options to the command; this object must outlive the parsing.
+    void add_to(CLI::App& command);
+
+    /// Returns the limits; what was not typed is not limited. Throws UsageError for invalid values.
+    [[nodiscard]] WorkLimits read() const;
+
+private:
+    std::string memory_;
+    std::optional<double> seconds_;
+};
+
+/// Parses an amount of memory such as "500M" or "4G": a number of bytes, or of powers of 1024 bytes with K,
+/// M, G or T. Returns nothing for other text, and for amounts of less than one byte.
+[[nodiscard]] std::optional<uint64_t> parse_bytes(std::string_view text);
 
 /// Adds the option `--no-cache` to the command. The option takes effect while the command line is read: see
 /// gpu::keep_pipelines().

@@ -15,6 +15,9 @@
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/views.hpp>
+#include <estampe/work_limits.hpp>
+
+#include "confine.hpp"
 
 namespace CLI {
 class App;
@@ -77,7 +80,10 @@ struct DrawOptions {
     std::string output;
     std::vector<std::string> world; ///< Options of the world that `scene` names, as KEY=VALUE
     std::string terrain;            ///< Terrain file on which the scene is put; empty: none
-    LoadOptions load;               ///< Options for reading the scene's file
+    LoadOptions load;               ///< Options for reading the scene's file; `confine` sets their scope
+    Confinement confine;            ///< Limits the files that are read
+    /// The options stand in a jobs file. Messages then quote no text of the files that they name.
+    bool is_of_job = false;
     /// Lightmap file made by `estampe bake`; empty: the lightmaps that the scene's file names.
     std::string lightmap;
     PageSize page;
@@ -90,6 +96,7 @@ struct DrawOptions {
     Style style;
     /// Assignments of single style parameters; `style` already contains them.
     std::vector<std::string> assignments;
+    WorkLimits limits;     ///< Limits the memory and the time of the whole command
     bool is_draft = false; ///< The picture is a draft: a world leaves out its additions for films
     RendererOptions device;
 };
@@ -140,6 +147,7 @@ struct InfoCommand {
     std::string input_format; ///< Format of a piped scene; empty: detected from its content
     std::optional<UpAxis> up;
     std::vector<std::string> world; ///< Options of the world that `scene` names, as KEY=VALUE
+    Confinement confine;            ///< Limits the files that are read
     bool json = false;
 };
 
@@ -152,6 +160,7 @@ struct DevicesCommand {
 struct StylesCommand {
     std::string style;
     bool schema = false;
+    Confinement confine; ///< Limits the files that are read
     /// Settings of a contact sheet of all presets; its `output` is a .png, its `scene` may be empty.
     std::optional<DrawOptions> sheet;
 };
@@ -168,6 +177,7 @@ struct TamCommand {
     std::string brush;   ///< Picture of one stroke; empty: the style's tam.tool draws the strokes
     std::string output;  ///< File or folder that receives the map: .tam, .dds, or a folder
     std::string preview; ///< File that receives a contact sheet of the map, .png; empty: none
+    Confinement confine; ///< Limits the files that are read
 };
 
 /// `estampe normalmap`: makes a normal map from a picture of heights.
@@ -175,6 +185,7 @@ struct NormalMapCommand {
     std::string picture; ///< Picture that holds the heights
     std::string output;  ///< File that receives the normal map, .png
     NormalMapSettings settings;
+    Confinement confine; ///< Limits the files that are read
 };
 
 /// `estampe normalmap --from`: makes a normal map of a detailed mesh for a plain mesh.
@@ -183,6 +194,7 @@ struct NormalBakeCommand {
     std::string detailed; ///< Scene that gives the normals
     std::string output;   ///< File that receives the normal map, .png
     NormalBakeSettings settings;
+    Confinement confine; ///< Limits the files that are read
 };
 
 /// `estampe bake`: computes a lightmap.
@@ -195,6 +207,8 @@ struct BakeCommand {
     Style style;
     BakeSettings settings;
     bool resume = true;
+    Confinement confine; ///< Limits the files that are read
+    WorkLimits limits;   ///< Limits the memory and the time of the whole command
 };
 
 /// `estampe batch`: draws many pictures in one run.
@@ -204,6 +218,8 @@ struct BatchCommand {
     uint32_t shard = 1; ///< Number of the shard to draw, from 1; each shard is a run of consecutive jobs
     uint32_t shards = 1;
     RendererOptions device;
+    Confinement confine; ///< Limits the files that the jobs name to the folder of the jobs file
+    WorkLimits limits;   ///< Limits the memory and the time of the whole batch
 };
 
 using Command = std::variant<BatchCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
@@ -212,8 +228,10 @@ using Command = std::variant<BatchCommand, RenderCommand, GraphCommand, InfoComm
 
 /// Reads the command line, the style that it names, and its --set assignments. Returns nothing after it has
 /// printed help or the version. Throws UsageError for a mistake on the command line, Error for a style file
-/// that cannot be read.
-[[nodiscard]] std::optional<Command> read_command_line(int argc, const char* const* argv);
+/// that cannot be read. `of_job` is the confinement of a job of a batch, whose options stand in a jobs file;
+/// null for the program's own command line.
+[[nodiscard]] std::optional<Command> read_command_line(int argc, const char* const* argv,
+                                                       const Confinement* of_job = nullptr);
 
 /// The options for the size of a picture: in pixels, or as a page with a resolution.
 class PageOptions {

@@ -292,7 +292,8 @@ std::string format_of_name(const std::string& scene)
     return is_known ? extension.substr(1) : std::string();
 }
 
-std::unique_ptr<Received> receive(const std::string& scene, const std::string& format, uint64_t most_bytes)
+std::unique_ptr<Received> receive(const std::string& scene, const std::string& format, uint64_t most_bytes,
+                                  BesidePipe beside)
 {
     const Descriptor from(scene == standard_input ? STDIN_FILENO : open(scene.c_str(), O_RDONLY | O_CLOEXEC));
     if (from.number() < 0) {
@@ -317,7 +318,9 @@ std::unique_ptr<Received> receive(const std::string& scene, const std::string& f
     }
     received->file = received->folder.path() / ("piped." + chosen);
     fs::rename(raw, received->file);
-    link_current_folder(received->folder.path());
+    if (beside == BesidePipe::current_folder) {
+        link_current_folder(received->folder.path());
+    }
     return received;
 }
 
@@ -352,7 +355,8 @@ bool is_piped(const std::string& scene)
            (S_ISFIFO(facts.st_mode) || S_ISCHR(facts.st_mode) || S_ISSOCK(facts.st_mode));
 }
 
-fs::path scene_file(const std::string& scene, const std::string& format, uint64_t most_bytes)
+fs::path scene_file(const std::string& scene, const std::string& format, uint64_t most_bytes,
+                    BesidePipe beside)
 {
     if (!is_piped(scene)) {
         if (!format.empty() && !scene.empty() && fs::exists(scene)) {
@@ -364,7 +368,7 @@ fs::path scene_file(const std::string& scene, const std::string& format, uint64_
     const std::lock_guard lock(memory().guard);
     std::unique_ptr<Received>& received = memory().scenes[scene];
     if (!received) {
-        received = receive(scene, format, most_bytes);
+        received = receive(scene, format, most_bytes, beside);
     }
     return received->file;
 }

@@ -28,13 +28,17 @@ inline constexpr const char* standard_input = "-";
 /// Returns whether this scene is read from a pipe or a terminal instead of a file.
 [[nodiscard]] bool is_piped(const std::string& scene);
 
+/// Files that a piped scene may name: those of the current folder, or none, as --confine has it.
+enum class BesidePipe : uint8_t { current_folder, nothing };
+
 /// Returns the path of the scene as a file. A piped scene is read to its end into a temporary folder, once
 /// per run of the program. The folder has links to all files of the current folder, so that textures and
-/// buffers are found. `format` is one of input_formats(), or empty to detect the format from the content.
-/// Throws Error when the format is unknown, when the pipe gives nothing or more than `most_bytes`, or when
-/// `format` is set for a regular file.
+/// buffers are found, unless `beside` says otherwise. `format` is one of input_formats(), or empty to detect
+/// the format from the content. Throws Error when the format is unknown, when the pipe gives nothing or more
+/// than `most_bytes`, or when `format` is set for a regular file.
 [[nodiscard]] std::filesystem::path scene_file(const std::string& scene, const std::string& format,
-                                               uint64_t most_bytes = uint64_t{4} << 30U);
+                                               uint64_t most_bytes = uint64_t{4} << 30U,
+                                               BesidePipe beside = BesidePipe::current_folder);
 
 /// Returns the message `text` with the temporary path of a piped scene replaced by the name that the user
 /// typed, and paths of files in the temporary folder replaced by their names in the scene.

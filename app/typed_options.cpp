@@ -177,6 +177,7 @@ void add_render(CLI::App& app, TypedOptions& typed)
                     "Earlier moment from which --motion measures, in seconds [--time less 1/30]")
         ->type_name("S");
     typed.film.add_to(command);
+    typed.limits.add_to(command);
     command.add_flag("--timings", typed.timings, "Print the time of every pass, or of the whole film");
     command.add_flag("--json", typed.json, "Print the timings as JSON instead of text");
 }
@@ -208,7 +209,8 @@ void add_styles(CLI::App& app, TypedOptions& typed)
     add_device_options(command, typed);
     for (CLI::Option* option : command.get_options()) {
         if (option != sheet && !option->get_positional() && !option->check_lname("schema") &&
-            !option->check_lname("help") && !option->check_lname("help-all")) {
+            !option->check_lname("confine") && !option->check_lname("help") &&
+            !option->check_lname("help-all")) {
             option->needs(sheet);
         }
     }
@@ -245,6 +247,7 @@ void add_tam(CLI::App& app, TypedOptions& typed)
     add_set_option(command, typed,
                    "Set one parameter of the style: tam.width_px=3; may be repeated. See\n"
                    "--help-style for the parameters.");
+    add_confine_flag(command, typed.is_confined);
 }
 
 void add_style_manual(CLI::App& command, TypedOptions& typed)

@@ -64,11 +64,14 @@ struct TypedOptions {
     std::string shaders;
     bool verbose = false;
     bool warm_up = false;
+    bool is_confined = false;            ///< --confine of a command that reads no scene
+    const Confinement* of_job = nullptr; ///< Confinement of a batch's job; null outside of a batch
     NormalMapOptions normal_map;
     BakeOptions bake;
     BatchOptions batch;
     PictureOptions picture;
     FilmOptions film;
+    LimitOptions limits;
 };
 
 /// Adds all commands with their options to the program; `typed` must outlive the parsing.

@@ -15,6 +15,7 @@
 #include "core/failure.hpp"
 #include "core/file.hpp"
 #include "features/common/style_tables.hpp"
+#include "option_values.hpp"
 #include "piped_scene.hpp"
 
 namespace estampe::viewer {
@@ -150,14 +151,14 @@ std::filesystem::path bookmarks_path(const std::filesystem::path& scene)
     return path;
 }
 
-std::vector<Bookmark> load_bookmarks(const std::filesystem::path& path)
+std::vector<Bookmark> load_bookmarks(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 20U;
     std::error_code problem;
     if (!std::filesystem::exists(path, problem)) {
         return {};
     }
-    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes, scope);
     const auto* first = reinterpret_cast<const char*>(bytes.data());
     std::vector<Bookmark> bookmarks;
     try {
@@ -165,8 +166,9 @@ std::vector<Bookmark> load_bookmarks(const std::filesystem::path& path)
         for (const Json& item : json.at("views")) {
             bookmarks.push_back(to_bookmark(item));
         }
-    } catch (const nlohmann::json::exception& error) {
-        throw Error(std::string("is no file of bookmarks: ") + error.what(), path.string(), remedy);
+    } catch (const nlohmann::json::exception&) {
+        // The message of the JSON library would quote the file, which may be anything.
+        throw Error("is no file of bookmarks", path.string(), remedy);
     } catch (const Error& error) {
         throw Error(error.what(), path.string(), remedy);
     }
@@ -191,21 +193,27 @@ void save_bookmarks(const std::vector<Bookmark>& bookmarks, const std::filesyste
 
 namespace {
 
-Style style_named(const std::string& name)
+Style style_named(const std::string& name, const app::Confinement& confine)
 {
-    return name.empty() ? Style() : Style::load(name);
+    return name.empty() ? Style() : Style::load(name, app::style_scope(name, confine));
 }
 
 } // namespace
 
-EditedStyle::EditedStyle(const std::string& name, Style style)
-    : name_(name), base_(style_named(name)), style_(std::move(style)), history_({name_, base_, style_})
+EditedStyle::EditedStyle(const std::string& name, Style style, app::Confinement confine)
+    : confine_(std::move(confine)), name_(name), base_(style_named(name, confine_)), style_(std::move(style)),
+      history_({name_, base_, style_})
 {
+}
+
+bool EditedStyle::differs_from_file() const
+{
+    return style_named(name_, confine_).to_toml() != base_.to_toml();
 }
 
 void EditedStyle::load(const std::string& name)
 {
-    const Style style = style_named(name);
+    const Style style = style_named(name, confine_);
     history_.push({name, style, style});
     take(history_.now());
 }

@@ -16,6 +16,7 @@
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
 
+#include "confine.hpp"
 #include "messages.hpp"
 #include "viewer/camera_rig.hpp"
 #include "viewer/history.hpp"
@@ -75,7 +76,8 @@ struct Bookmark {
 [[nodiscard]] std::filesystem::path bookmarks_path(const std::filesystem::path& scene);
 
 /// Reads the bookmarks of a file; none if the file does not exist. Throws Error when the file is damaged.
-[[nodiscard]] std::vector<Bookmark> load_bookmarks(const std::filesystem::path& path);
+[[nodiscard]] std::vector<Bookmark> load_bookmarks(const std::filesystem::path& path,
+                                                   const ReadScope& scope = {});
 
 /// Writes all bookmarks atomically; deletes the file if there are none. Throws Error when the file cannot be
 /// written.
@@ -85,14 +87,17 @@ void save_bookmarks(const std::vector<Bookmark>& bookmarks, const std::filesyste
 class EditedStyle {
 public:
     /// Starts to edit a style. `name` is the preset or file of the command line; `style` includes the changes
-    /// of --set. An empty name means the built-in style.
-    EditedStyle(const std::string& name, Style style);
+    /// of --set. An empty name means the built-in style. `confine` limits the files that are read.
+    EditedStyle(const std::string& name, Style style, app::Confinement confine = {});
 
     [[nodiscard]] const Style& style() const { return style_; }
 
     /// Returns the edited style. The caller may change the style through the reference; finish_change() then
     /// adds an undo step.
     [[nodiscard]] Style& style() { return style_; }
+
+    /// Returns whether the style's preset or file differs from the one that was read before.
+    [[nodiscard]] bool differs_from_file() const;
 
     /// Returns the unchanged preset or file, to which parameters are reset.
     [[nodiscard]] const Style& base() const { return base_; }
@@ -132,6 +137,7 @@ private:
 
     void take(const State& state);
 
+    app::Confinement confine_;
     std::string name_;
     Style base_;
     Style style_;
@@ -165,7 +171,10 @@ struct Work {
 };
 
 struct Studio {
-    explicit Studio(const std::string& style_name, Style style) : edited(style_name, std::move(style)) {}
+    explicit Studio(const std::string& style_name, Style style, app::Confinement confine = {})
+        : edited(style_name, std::move(style), std::move(confine))
+    {
+    }
 
     std::shared_ptr<const LoadedFile> file; ///< Scene that is shown; null before the first scene is loaded
     EditedStyle edited;

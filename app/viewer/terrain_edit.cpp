@@ -226,10 +226,10 @@ TerrainText text_with(const std::string& before, const TerrainDescription& terra
 
 namespace {
 
-std::string file_text(const std::filesystem::path& path)
+std::string file_text(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 20;
-    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes, scope);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -280,7 +280,7 @@ TerrainEdit::TerrainEdit(const Terrain& terrain)
       saved_(terrain_toml(draft_))
 {
     try {
-        file_text_ = file_text(draft_.name);
+        file_text_ = file_text(draft_.name, draft_.scope);
     } catch (const Error&) {
         // The file's text is unknown, so a new text is generated when the terrain is saved.
         file_text_.clear();
@@ -410,11 +410,17 @@ void TerrainEdit::redo()
     }
 }
 
+ReadScope TerrainEdit::scope_of(const std::filesystem::path& path) const
+{
+    return draft_.scope.is_limited() ? ReadScope::beside(path) : ReadScope();
+}
+
 void TerrainEdit::load(const std::filesystem::path& path)
 {
-    const TerrainDescription loaded = load_terrain(path);
+    const ReadScope scope = scope_of(path);
+    const TerrainDescription loaded = load_terrain(path, scope);
     const Terrain terrain(loaded);
-    file_text_ = file_text(path);
+    file_text_ = file_text(path, scope);
     saved_ = terrain_toml(loaded);
     history_.push(loaded);
     take_step(loaded);
@@ -427,7 +433,7 @@ void TerrainEdit::read_textures()
 
 bool TerrainEdit::differs_from_file() const
 {
-    return terrain_toml(load_terrain(draft_.name)) != saved_;
+    return terrain_toml(load_terrain(draft_.name, draft_.scope)) != saved_;
 }
 
 bool TerrainEdit::save(const std::filesystem::path& path)
@@ -437,7 +443,9 @@ bool TerrainEdit::save(const std::filesystem::path& path)
     }
     const TerrainText written = text_with(file_text_, draft_);
     try {
-        const Terrain found(parse_terrain(written.text, path.string(), path.parent_path()));
+        TerrainDescription moved = parse_terrain(written.text, path.string(), path.parent_path());
+        moved.scope = scope_of(path);
+        const Terrain found(moved);
     } catch (const Error& error) {
         throw Error(fmt::format("could not be read again from there: {}", error.what()), path.string(),
                     "save it beside its textures");
@@ -447,6 +455,7 @@ bool TerrainEdit::save(const std::filesystem::path& path)
     saved_ = terrain_toml(draft_);
     draft_.name = path.string();
     draft_.folder = path.parent_path();
+    draft_.scope = scope_of(path);
     history_.push(draft_);
     take_draft();
     return written.keeps_comments;

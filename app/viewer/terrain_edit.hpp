@@ -98,6 +98,7 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
 private:
+    [[nodiscard]] ReadScope scope_of(const std::filesystem::path& path) const;
     void take_draft();
     void take_step(const TerrainDescription& step);
 

@@ -44,7 +44,8 @@ bool same(const Sight& a, const Sight& b)
 } // namespace
 
 Viewer::Viewer(const app::ViewCommand& command)
-    : command_(command), warm_up_(command), studio_(command.style_name, command.draw.style),
+    : command_(command), warm_up_(command),
+      studio_(command.style_name, command.draw.style, command.draw.confine),
       pictures_(std::in_place, command.draw.device, &Window::wake), loader_(std::in_place, &Window::wake),
       window_(command.draw.page.width, command.draw.page.height),
       screen_(window_.handle(), command.draw.device.device), painter_(screen_)

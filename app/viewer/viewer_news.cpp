@@ -94,8 +94,10 @@ void Viewer::take(const SceneTaken& taken)
             set_out();
         }
         studio_.bookmark.reset();
-        studio_.attempt("bookmarks",
-                        [&] { studio_.bookmarks = load_bookmarks(bookmarks_path(taken.file->draw.scene)); });
+        studio_.attempt("bookmarks", [&] {
+            studio_.bookmarks = load_bookmarks(bookmarks_path(taken.file->draw.scene),
+                                               taken.file->draw.confine.of(taken.file->draw.scene));
+        });
         window_.set_title(name + " - Estampe");
     } else {
         raise_camera(taken.file->ground_m - before->ground_m);
@@ -190,7 +192,7 @@ void Viewer::look_at_files()
         report("style changed: " + watched_style_);
         studio_.attempt("style", [this] {
             // If the viewer itself saved the style file, the file's style is already loaded.
-            if (Style::load(watched_style_).to_toml() != studio_.edited.base().to_toml()) {
+            if (studio_.edited.differs_from_file()) {
                 studio_.edited.load(watched_style_);
             }
         });

@@ -16,6 +16,7 @@
 
 #include "core/file.hpp"
 #include "core/hash.hpp"
+#include "core/private_folder.hpp"
 #include "drawing.hpp"
 #include "process.hpp"
 #include "worlds.hpp"
@@ -132,8 +133,7 @@ void warm_up(const app::ViewCommand& command)
         std::ignore = renderer.render(camera, style, settings);
     }
     const fs::path file = warmth_file();
-    std::error_code problem;
-    fs::create_directories(file.parent_path(), problem);
+    make_private_folder(file.parent_path());
     const std::string text = warmth();
     write_file_atomically(file, std::as_bytes(std::span(text)));
 }

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
+
 namespace estampe {
 
 /// An 8-bit picture: rows from top to bottom, four bytes per pixel (red, green, blue, alpha). Colours are
@@ -37,7 +39,7 @@ void save_webp(const Image& image, const std::filesystem::path& path, std::optio
 
 /// Reads a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD file. The file's content decides the format, not its
 /// name. docs/reference/formats.md lists the supported variants of these formats. Throws Error that names the
-/// file if it is missing, truncated or too large.
-[[nodiscard]] Image load_image(const std::filesystem::path& path);
+/// file if it is missing, truncated or too large, or lies outside of `scope`.
+[[nodiscard]] Image load_image(const std::filesystem::path& path, const ReadScope& scope = {});
 
 } // namespace estampe

@@ -12,6 +12,8 @@
 
 #include <glm/glm.hpp>
 
+#include <estampe/read_scope.hpp>
+
 namespace estampe {
 
 /// An image of linear light, Rec. 709 primaries: rows from top to bottom.
@@ -86,12 +88,13 @@ void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 /// Instead of pictures per node or material, the scene may name one map made by `estampe bake`. No node or
 /// material may then name a lightmap. KHR_texture_transform is not applied to the UVs. Unknown keys and
 /// values are ignored, and load_scene() warns of unknown keys. Throws Error with file and JSON pointer if a
-/// picture is missing or unreadable, or if a baked map is named beside other lightmaps. Cost: reads the file
-/// once more, and decodes it only if it names lightmaps.
-[[nodiscard]] std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file);
+/// picture is missing, unreadable or outside of `scope`, or if a baked map is named beside other lightmaps.
+/// Cost: reads the file once more, and decodes it only if it names lightmaps.
+[[nodiscard]] std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file,
+                                                     const ReadScope& scope = {});
 
 /// Reads a lightmap file that save_lightmap() wrote. Throws Error that names the file if the file is missing
-/// or damaged, or is an OpenEXR picture without a lightmap.
-[[nodiscard]] Lightmap load_lightmap(const std::filesystem::path& path);
+/// or damaged, lies outside of `scope`, or is an OpenEXR picture without a lightmap.
+[[nodiscard]] Lightmap load_lightmap(const std::filesystem::path& path, const ReadScope& scope = {});
 
 } // namespace estampe

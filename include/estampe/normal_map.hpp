@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <estampe/image.hpp>
+#include <estampe/read_scope.hpp>
 #include <estampe/scene.hpp>
 
 namespace estampe {
@@ -38,7 +39,7 @@ struct NormalMapSettings {
 /// Reads the heights of a picture from its brightness: the stored values of red, green and blue, weighted by
 /// ITU-R BT.709 without conversion from sRGB. Alpha is ignored. A PNG with 16 bits per channel is read at
 /// full precision. Other pictures are read by load_image(). Throws Error as load_image() does.
-[[nodiscard]] HeightMap load_height_map(const std::filesystem::path& path);
+[[nodiscard]] HeightMap load_height_map(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Makes a normal map: computes the normal at each texel from the slopes of the heights. Red is x, to the
 /// right; green is y; blue is z, out of the surface; each component from -1 to 1 is stored as 0 to 255. Alpha

@@ -18,6 +18,7 @@
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
 #include <estampe/vector_drawing.hpp>
+#include <estampe/work_limits.hpp>
 
 namespace estampe {
 
@@ -94,6 +95,9 @@ struct RenderSettings {
     /// Measures the GPU time of each pass; see Renderer::timings(). Passes that usually overlap then run one
     /// after another, so the frame takes about a tenth longer. Measuring does not change the picture.
     bool time_passes = false;
+    /// Limits the memory and the time of drawing this picture. The limit on time applies between the passes
+    /// of samples, tiles and simulation steps, so a picture can take one such step longer.
+    WorkLimits limits = {};
 };
 
 /// Current brightness of one light of the scene.

@@ -17,7 +17,9 @@
 
 #include <estampe/cloth.hpp>
 #include <estampe/image.hpp>
+#include <estampe/read_scope.hpp>
 #include <estampe/terrain.hpp>
+#include <estampe/work_limits.hpp>
 
 namespace estampe {
 
@@ -366,6 +368,10 @@ struct LoadOptions {
     /// Empty: uses the axis that the file or its format defines, else y. FBX and COLLADA scenes are first
     /// rotated by the axis that the file names.
     std::optional<UpAxis> up;
+    /// Limits the files that are read: the scene's file, and all files that it names. For scenes of
+    /// strangers, ReadScope::beside() of the scene's file.
+    ReadScope scope;
+    WorkLimits limits; ///< Limits the memory and the time of loading
 
     bool operator==(const LoadOptions& other) const = default;
 };
@@ -373,7 +379,9 @@ struct LoadOptions {
 /// Reads a scene from a .gltf, .glb, .obj, .ply, .stl, .fbx or .dae file.
 ///
 /// Damage in the file is repaired if possible; `Scene::warnings` lists the repairs. Throws Error with file
-/// and place (a JSON pointer or a byte offset) if the damage cannot be repaired. Allocates at most a small
+/// and place (a JSON pointer or a byte offset) if the damage cannot be repaired, and if a file
+/// lies outside of `options.scope`, or a limit of
+/// `options.limits` is exceeded. Allocates at most a small
 /// multiple of the file's size.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
 #include <estampe/scene.hpp>
 
 namespace estampe {
@@ -33,7 +34,14 @@ public:
     /// as "comic+no-color"; each part overrides the parameters that it sets. Throws Error with
     /// file:line:column, the key, and the allowed values. For an unknown name or key, the Error also has the
     /// nearest known one.
-    [[nodiscard]] static Style load(const std::string& name);
+    ///
+    /// `scope` limits the files that are read: those of `name`, those that they extend, and, when a picture
+    /// is drawn, all files that parameters name. Messages show no content of a file that is extended, because
+    /// that file may be no style.
+    [[nodiscard]] static Style load(const std::string& name, const ReadScope& scope = {});
+
+    /// Limits the files that parameters name to `scope`, also those that set() has named.
+    void limit_files(const ReadScope& scope);
 
     /// Applies one assignment of a style parameter, such as "hatch.contrast=12". Throws Error as load() does.
     void set(std::string_view assignment);

@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 
+#include <estampe/read_scope.hpp>
 #include <estampe/trails.hpp>
 
 namespace estampe {
@@ -90,6 +91,7 @@ struct TerrainRipples {
 struct TerrainDescription {
     std::string name;             ///< Name of the terrain's file, for error messages
     std::filesystem::path folder; ///< Folder in which the terrain's textures are
+    ReadScope scope;              ///< Limits the files of the terrain's textures
     /// Nodes of the height graph; the value of the node "height" is the ground's height.
     std::vector<HeightNode> nodes;
     TerrainWind wind;
@@ -106,8 +108,9 @@ struct TerrainDescription {
 [[nodiscard]] TerrainDescription parse_terrain(std::string_view text, const std::string& name,
                                                const std::filesystem::path& folder = {});
 
-/// Reads a terrain file. Throws Error as parse_terrain() does, and if the file cannot be read.
-[[nodiscard]] TerrainDescription load_terrain(const std::filesystem::path& path);
+/// Reads a terrain file. Throws Error as parse_terrain() does, and if the file cannot be read or
+/// lies outside of `scope`. The scope also limits the terrain's textures.
+[[nodiscard]] TerrainDescription load_terrain(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Writes a terrain as TOML that parse_terrain() reads back. Cost: linear in the length of the text.
 [[nodiscard]] std::string terrain_toml(const TerrainDescription& terrain);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <estampe/image.hpp>
+#include <estampe/read_scope.hpp>
 #include <estampe/style.hpp>
 
 namespace estampe {
@@ -55,8 +56,9 @@ struct PaintedMap {
 /// of DDS files (one per tone), one DDS file, or a .tam file. src/techniques/tam/README.md has names and
 /// rules. Missing levels are derived. Ink of a lighter tone that a darker tone lacks is added, with a
 /// warning. Throws Error that names the file if nothing is found, or if a file is damaged, of the wrong size
-/// or out of order.
-[[nodiscard]] PaintedMap load_tonal_art_map(const std::filesystem::path& path);
+/// or out of order,
+/// and if a file lies outside of `scope`.
+[[nodiscard]] PaintedMap load_tonal_art_map(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Writes a tonal art map. The extension of `path` chooses the format: .tam, .dds, or or, with a trailing
 /// slash or no extension, a folder of PNG files that can be painted over. The folder also gets a file

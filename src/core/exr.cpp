@@ -322,10 +322,10 @@ Lightmap baked_lightmap(ExrFile file, const std::filesystem::path& path)
     return map;
 }
 
-Lightmap load_lightmap(const std::filesystem::path& path)
+Lightmap load_lightmap(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t max_file_bytes = uint64_t{1} << 32;
-    return baked_lightmap(decode_exr(read_file(path, max_file_bytes), path.string()), path);
+    return baked_lightmap(decode_exr(read_file(path, max_file_bytes, scope), path.string()), path);
 }
 
 std::vector<std::byte> encode_motion(const Motion& motion, const std::filesystem::path& path)

@@ -29,6 +29,7 @@
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
+#include "core/read_scope.hpp"
 #include "core/text.hpp"
 
 namespace estampe {
@@ -365,9 +366,9 @@ struct OpenFile {
     uint64_t size = 0;
 };
 
-OpenFile open_regular(const std::filesystem::path& path)
+OpenFile open_regular(const std::filesystem::path& path, const ReadScope& scope)
 {
-    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const int descriptor = open_to_read(path, scope, O_RDONLY | O_NONBLOCK);
     if (descriptor < 0) {
         throw Error(fmt::format("cannot open: {}", reason(errno)), path.string());
     }
@@ -393,9 +394,10 @@ std::vector<std::byte> read_bytes(const OpenFile& file, uint64_t size, const std
 
 } // namespace
 
-std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max_bytes)
+std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max_bytes,
+                                 const ReadScope& scope)
 {
-    const OpenFile file = open_regular(path);
+    const OpenFile file = open_regular(path, scope);
     if (file.size > max_bytes) {
         throw Error(fmt::format("is {} bytes long, more than the limit of {}", file.size, max_bytes),
                     path.string());
@@ -403,9 +405,10 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max
     return read_bytes(file, file.size, path);
 }
 
-std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes)
+std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes,
+                                       const ReadScope& scope)
 {
-    const OpenFile file = open_regular(path);
+    const OpenFile file = open_regular(path, scope);
     return read_bytes(file, std::min(file.size, most_bytes), path);
 }
 

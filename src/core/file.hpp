@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
+
 namespace estampe {
 
 /// A file or folder that is written under a temporary name beside `target`. publish() renames it, so readers
@@ -78,14 +80,18 @@ void remove_all_pending() noexcept;
 /// Returns the extension of a file name in lower case, with its dot; empty if there is none.
 [[nodiscard]] std::string lower_extension(const std::filesystem::path& path);
 
+/// Limit for read_file() that allows files of any length.
+inline constexpr uint64_t any_length = std::numeric_limits<uint64_t>::max();
+
 /// Reads a whole regular file. Throws Error that names the file if it is missing, is a folder, pipe or
-/// device, is unreadable, or is longer than `max_bytes`.
+/// device, is unreadable, is longer than `max_bytes`, or lies outside of `scope`.
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path,
-                                               uint64_t max_bytes = std::numeric_limits<uint64_t>::max());
+                                               uint64_t max_bytes = any_length, const ReadScope& scope = {});
 
 /// Reads at most the first `most_bytes` of a regular file. Throws Error that names the file if it is missing,
-/// is a folder, pipe or device, or is unreadable.
-[[nodiscard]] std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes);
+/// is a folder, pipe or device, is unreadable, or lies outside of `scope`.
+[[nodiscard]] std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes,
+                                                     const ReadScope& scope = {});
 
 /// Writes a file: writes a temporary file beside `path` and renames it, so readers see the old file or the
 /// complete new one; see AtomicFile. Throws Error if the folder does not exist or is not writable, or the

@@ -14,6 +14,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/job_limits.hpp"
+
 namespace estampe {
 namespace {
 
@@ -65,6 +67,16 @@ uint64_t free_for_process(const std::filesystem::path& root)
     return limit.rlim_cur - std::min<uint64_t>(mapped, limit.rlim_cur);
 }
 
+/// Memory of this process that lies in RAM.
+uint64_t resident_bytes()
+{
+    std::ifstream file("/proc/self/statm");
+    uint64_t mapped_pages = 0;
+    uint64_t resident_pages = 0;
+    file >> mapped_pages >> resident_pages;
+    return resident_pages * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
 } // namespace
 
 uint64_t free_memory_bytes(const std::filesystem::path& root)
@@ -86,6 +98,15 @@ std::string in_bytes(uint64_t bytes)
 void require_memory(uint64_t bytes, const std::string& what, const std::string& where,
                     const std::string& remedy)
 {
+    if (is_memory_limited()) {
+        const uint64_t limit = JobLimits::of_thread().memory_bytes;
+        if (const uint64_t used = resident_bytes(); bytes > limit - std::min(used, limit)) {
+            throw Error(fmt::format("{} needs {} of memory beside the {} in use, more than {}, the limit of "
+                                    "--max-memory",
+                                    what, in_bytes(bytes), in_bytes(used), in_bytes(limit)),
+                        where, remedy.empty() ? "raise the limit" : remedy + ", or raise the limit");
+        }
+    }
     constexpr uint64_t small_bytes = uint64_t{64} << 20U;
     if (bytes < small_bytes) {
         return;

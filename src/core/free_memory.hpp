@@ -16,8 +16,9 @@ namespace estampe {
 [[nodiscard]] std::string in_bytes(uint64_t bytes);
 
 /// Checks before a large allocation that memory is free. Throws Error if `bytes` exceeds the free memory,
-/// because systems that overcommit memory kill a program without a message. Small sizes are not checked. The
-/// error message consists of `what` and "needs ... of memory".
+/// because systems that overcommit memory kill a program without a message, or if `bytes` exceeds the part of
+/// the current thread's memory limit (JobLimits) that the process does not use yet. Small sizes are checked
+/// only against the limit. The error message consists of `what` and "needs ... of memory".
 void require_memory(uint64_t bytes, const std::string& what, const std::string& where,
                     const std::string& remedy = {});
 

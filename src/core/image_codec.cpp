@@ -362,10 +362,10 @@ void save_png(const Image& image, const std::filesystem::path& path)
     write_file_atomically(path, bytes);
 }
 
-Image read_image(const std::filesystem::path& path)
+Image read_image(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t max_file_bytes = uint64_t{1} << 31;
-    return decode_image(read_file(path, max_file_bytes), path.string());
+    return decode_image(read_file(path, max_file_bytes, scope), path.string());
 }
 
 bool is_well_formed(const Image& image)
@@ -374,9 +374,9 @@ bool is_well_formed(const Image& image)
            image.height <= max_image_side && image.rgba.size() == size_t{4} * image.width * image.height;
 }
 
-Image load_image(const std::filesystem::path& path)
+Image load_image(const std::filesystem::path& path, const ReadScope& scope)
 {
-    Image image = run_in_child([&path] { return read_image(path); }, limits_for_file(path), path.string());
+    Image image = run_in_child([&] { return read_image(path, scope); }, limits_for_file(path), path.string());
     if (!is_well_formed(image)) {
         throw Error("what was read from it came back damaged", path.string());
     }

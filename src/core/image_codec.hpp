@@ -44,7 +44,7 @@ struct DeepImage {
 
 /// Reads a picture file and decodes it in this process; for code that runs in a child process already. Other
 /// code calls load_image(), which decodes the file in a child process. Throws Error as load_image() does.
-[[nodiscard]] Image read_image(const std::filesystem::path& path);
+[[nodiscard]] Image read_image(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Lists the members of Image, for send() and receive() of core/child/exchange.hpp.
 template <Either<Image> T>

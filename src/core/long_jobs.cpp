@@ -5,6 +5,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/job_limits.hpp"
+
 namespace estampe {
 namespace {
 
@@ -24,6 +26,7 @@ ProgressWatch::~ProgressWatch()
 
 void report_progress(double share)
 {
+    check_time();
     if (watching && !watching(share)) {
         throw Error("was not wanted any more");
     }

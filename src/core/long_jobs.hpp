@@ -25,7 +25,7 @@ public:
 };
 
 /// Reports the progress of a job to the ProgressWatch of this thread, if any. Throws Error if the watch asks
-/// to stop.
+/// to stop, TimeIsUp if the time limit of this thread is over.
 void report_progress(double share);
 
 } // namespace estampe

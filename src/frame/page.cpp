@@ -8,6 +8,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/free_memory.hpp"
+#include "core/job_limits.hpp"
 #include "gpu/transfers.hpp"
 #include "techniques/halo/halo.hpp"
 #include "techniques/lens/lens.hpp"
@@ -36,6 +38,15 @@ PageLimits page_limits(const gpu::Device& device)
     return {.side_px = std::min(limits.maxImageDimension2D, 16384U),
             .pixels = std::min<uint64_t>(limits.maxStorageBufferRange / sizeof(uint64_t),
                                          limits.maxTexelBufferElements)};
+}
+
+void check_page_memory(glm::uvec2 size_px)
+{
+    if (is_memory_limited()) {
+        require_memory(bytes_a_pixel * size_px.x * size_px.y,
+                       fmt::format("drawing {} x {} pixels at once", size_px.x, size_px.y), "size",
+                       "draw a smaller picture, or smaller tiles");
+    }
 }
 
 void check_size(const gpu::Device& device, const RenderSettings& settings)

@@ -33,6 +33,13 @@ inline constexpr uint32_t longest_page_px = 65535;
 /// larger than longest_page_px.
 void check_page(const RenderSettings& settings);
 
+/// Approximate memory in bytes, on the device and beside it, that one pixel needs while a picture is drawn.
+inline constexpr uint64_t bytes_a_pixel = 160;
+
+/// Throws Error if drawing a picture or a tile of this size in one pass needs more memory than the limit of
+/// the current thread (JobLimits) leaves.
+void check_page_memory(glm::uvec2 size_px);
+
 /// Size limits of a picture that is drawn in one pass, without tiles.
 struct PageLimits {
     uint32_t side_px = 0;

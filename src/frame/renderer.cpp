@@ -12,6 +12,7 @@
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
+#include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
 #include "frame/renderer_impl.hpp"
 #include "gpu/resources.hpp"
@@ -243,6 +244,8 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
                                    frame::LinearPage* linear, const std::function<void()>& after_sample,
                                    const VulkanPicture* target)
 {
+    const JobLimits job_limits(settings.limits);
+    frame::check_page_memory({settings.width, settings.height});
     const features::StyleTables& tables = tables_of(style);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     RenderSettings page_settings = settings;
@@ -335,7 +338,9 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                                      HiddenLines hidden)
 {
     Impl& impl = *impl_;
+    const JobLimits job_limits(settings.limits);
     const features::StyleTables& tables = impl.tables_of(style);
+    frame::check_page_memory({settings.width, settings.height});
     frame::check_size(impl.device, settings);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);

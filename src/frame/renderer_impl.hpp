@@ -165,6 +165,7 @@ struct Renderer::Impl {
     gpu::Graph declared;                          ///< memory of the frame graph that the next frame reuses
     gpu::Graph drawn; ///< graph of the last frame, for inspection; its resources may no longer exist
     std::vector<std::string> notes;
+    bool has_told_of_pipelines = false; ///< the notes have said why the cache of pipelines was ignored
 };
 
 /// The camera of the whole page. Inside the paper's margin this camera shows the view of `camera`. Throws

@@ -113,6 +113,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::S
     const ScenePose& scene_pose = pose_at(settings);
     check_places(loaded->scene, scene_pose);
     notes = loaded->notes;
+    if (!std::exchange(has_told_of_pipelines, true) && !executor.pipelines_note().empty()) {
+        notes.push_back(executor.pipelines_note());
+    }
     const auto risen = blow_cloth(scene_pose, tables, settings);
     const features::ClothAdvance advance =
         features.cloth.advance(device, executor, cloth_inputs(settings, tables));

@@ -10,6 +10,7 @@
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
+#include "core/job_limits.hpp"
 #include "frame/page.hpp"
 
 namespace estampe {
@@ -18,14 +19,12 @@ namespace {
 constexpr uint32_t usual_tile_px = 2048;
 constexpr uint64_t most_survey_pixels = uint64_t{1} << 27U;
 
-/// Approximate device memory in bytes that one pixel needs while a picture is drawn.
-constexpr uint64_t bytes_a_pixel = 160;
-
 /// Largest number of pixels of the survey, which draws the whole page at a lower resolution. The survey may
 /// use half of the device's memory. Data that all tiles share needs the remaining half.
 uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limits)
 {
-    return std::min({limits.pixels, most_survey_pixels, device.memory().whole_bytes() / (2 * bytes_a_pixel)});
+    return std::min(
+        {limits.pixels, most_survey_pixels, device.memory().whole_bytes() / (2 * frame::bytes_a_pixel)});
 }
 
 uint32_t automatic_tile_px(const frame::PageLimits& limits, uint32_t overlap)
@@ -56,7 +55,7 @@ bool Renderer::Impl::is_tiled(const RenderSettings& settings) const
     const uint64_t pixels = uint64_t{settings.width} * settings.height;
     const bool is_wanted = settings.tile_px > 0 && longest_px > settings.tile_px;
     const bool fits = longest_px <= limits.side_px && pixels <= limits.pixels &&
-                      bytes_a_pixel * pixels <= device.memory().whole_bytes();
+                      frame::bytes_a_pixel * pixels <= device.memory().whole_bytes();
     const bool is_alone = settings.continuity == Continuity::still && !settings.motion_since;
     if (!is_alone && !fits) {
         frame::check_size(device, settings);
@@ -104,6 +103,7 @@ features::InkPlan Renderer::Impl::let_ink_flow(const Camera& camera, const featu
 void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                                 const BandSink& sink)
 {
+    const JobLimits job_limits(settings.limits);
     const features::StyleTables& tables = tables_of(style);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     const frame::PageLimits limits = frame::page_limits(device);
@@ -135,6 +135,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     const uint32_t tile_px = settings.tile_px > 0 ? std::min(settings.tile_px, limits.side_px)
                                                   : automatic_tile_px(limits, overlap);
     const std::vector<frame::Tile> tiles = frame::tiles_of(plan.page_px, tile_px, overlap);
+    frame::check_page_memory(tiles.front().drawn.size_px);
     std::vector<contour::LinkedLines> lines = survey_page(seen_by, tables, plan, survey, settings.samples);
     bool is_first = lines.empty() && !plan.light.meters_page;
     frame::ensure_page(device, buffers.page, tiles.front().drawn.size_px, settings.samples);

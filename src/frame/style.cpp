@@ -46,13 +46,19 @@ Style& Style::operator=(const Style& other)
 
 Style& Style::operator=(Style&&) noexcept = default;
 
-Style Style::load(const std::string& name)
+Style Style::load(const std::string& name, const ReadScope& scope)
 {
     Style style;
+    features::limit_files(*style.tables_, scope);
     for (const std::string& part : style::parts_of(name)) {
-        features::style_schema().read(*style.tables_, part);
+        features::style_schema().read(*style.tables_, part, scope);
     }
     return style;
+}
+
+void Style::limit_files(const ReadScope& scope)
+{
+    features::limit_files(*tables_, scope);
 }
 
 void Style::set(std::string_view assignment)
@@ -173,9 +179,9 @@ TonalArtMap draw_tonal_art_map(const Style& style, const Image* stroke)
     return tam::make_map(features::with_drawing(style.tables(), room).tam, stroke);
 }
 
-PaintedMap load_tonal_art_map(const std::filesystem::path& path)
+PaintedMap load_tonal_art_map(const std::filesystem::path& path, const ReadScope& scope)
 {
-    return tam::read_map(path);
+    return tam::read_map(path, scope);
 }
 
 void save_tonal_art_map(const TonalArtMap& map, const std::filesystem::path& path)

@@ -9,12 +9,15 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <system_error>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/file.hpp"
 #include "core/hash.hpp"
+#include "core/private_folder.hpp"
 #include "gpu/device.hpp"
 #include "gpu/shader_bindings.hpp"
 
@@ -88,29 +91,63 @@ std::filesystem::path pipeline_file(const PipelineOwner& owner)
     return folder / "estampe" / fmt::format("pipelines-{:016x}", hash.value());
 }
 
-std::vector<std::byte> read_pipelines(const std::filesystem::path& file, const PipelineOwner& owner)
+namespace {
+
+/// Returns the driver's cache data of a file; nothing if the file is truncated or changed.
+std::optional<std::vector<std::byte>> content_of(std::vector<std::byte> file)
 {
-    try {
-        std::vector<std::byte> bytes = read_file(file, most_bytes);
-        FileHead head;
-        if (bytes.size() < sizeof head) {
-            return {};
-        }
-        std::memcpy(&head, bytes.data(), sizeof head);
-        bytes.erase(bytes.begin(), bytes.begin() + sizeof head);
-        const FileHead wanted = head_of(bytes);
-        const bool is_whole =
-            head.magic == wanted.magic && head.size_bytes == wanted.size_bytes && head.hash == wanted.hash;
-        return is_whole && is_for(bytes, owner) ? bytes : std::vector<std::byte>();
-    } catch (const std::exception&) {
-        return {}; // In most cases the file does not exist yet
+    FileHead head;
+    if (file.size() < sizeof head) {
+        return std::nullopt;
     }
+    std::memcpy(&head, file.data(), sizeof head);
+    file.erase(file.begin(), file.begin() + sizeof head);
+    const FileHead wanted = head_of(file);
+    const bool is_whole =
+        head.magic == wanted.magic && head.size_bytes == wanted.size_bytes && head.hash == wanted.hash;
+    return is_whole ? std::optional(std::move(file)) : std::nullopt;
+}
+
+} // namespace
+
+StoredPipelines read_pipelines(const std::filesystem::path& file, const PipelineOwner& owner)
+{
+    std::error_code missing;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file, missing))) {
+        return {};
+    }
+    if (const std::string fault = fault_of_private_folder(file.parent_path()); !fault.empty()) {
+        return {.bytes = {},
+                .note =
+                    fmt::format("{} {}, so the compiled shaders in it are not used; make it a folder into "
+                                "which only its user writes",
+                                file.parent_path().string(), fault)};
+    }
+    std::string fault = "cannot be read";
+    try {
+        std::optional<std::vector<std::byte>> bytes =
+            content_of(read_file(file, most_bytes, ReadScope::beside(file)));
+        if (bytes && is_for(*bytes, owner)) {
+            return {.bytes = *std::move(bytes), .note = {}};
+        }
+        fault = bytes ? "is of another device or driver" : "is truncated or changed";
+    } catch (const std::exception&) {
+        // The file is a link, a folder, too long, or not readable
+    }
+    std::error_code failed;
+    std::filesystem::remove(file, failed);
+    return {.bytes = {},
+            .note = fmt::format("the file of compiled shaders {} {}; it is ignored and written again",
+                                file.string(), fault)};
 }
 
 void write_pipelines(const std::filesystem::path& file, std::span<const std::byte> pipelines)
 {
     try {
-        std::filesystem::create_directories(file.parent_path());
+        make_private_folder(file.parent_path());
+        if (!fault_of_private_folder(file.parent_path()).empty()) {
+            return;
+        }
         const FileHead head = head_of(pipelines);
         const auto head_bytes = std::as_bytes(std::span(&head, 1));
         std::vector<std::byte> bytes(head_bytes.begin(), head_bytes.end());
@@ -127,7 +164,9 @@ PipelineStore::PipelineStore(Device& device) : device_(device.handle())
     std::vector<std::byte> pipelines;
     if (are_kept_on_disk()) {
         file_ = pipeline_file(owner);
-        pipelines = file_.empty() ? std::vector<std::byte>() : read_pipelines(file_, owner);
+        StoredPipelines stored = file_.empty() ? StoredPipelines() : read_pipelines(file_, owner);
+        pipelines = std::move(stored.bytes);
+        note_ = std::move(stored.note);
         size_read_ = pipelines.size();
     }
     const VkPipelineCacheCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO,

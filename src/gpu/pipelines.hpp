@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gpu/device.hpp"
@@ -34,13 +35,21 @@ struct PipelineOwner {
 /// is an absolute path.
 [[nodiscard]] std::filesystem::path pipeline_file(const PipelineOwner& owner);
 
-/// Reads the pipeline data of a cache file. The result is empty if the file does not exist, is truncated or
-/// changed, or belongs to another device or driver.
-[[nodiscard]] std::vector<std::byte> read_pipelines(const std::filesystem::path& file,
-                                                    const PipelineOwner& owner);
+/// The content of a cache file.
+struct StoredPipelines {
+    std::vector<std::byte> bytes;
+    std::string
+        note; ///< Why a file that exists was ignored, as one line; empty if there is none or it was read
+};
 
-/// Writes pipeline data to a cache file, and creates its folder. The file is replaced atomically. If writing
-/// fails, the old file stays and no error is reported, because the file is only a cache.
+/// Reads the pipeline data of a cache file. Drivers trust these data, so the file is only read from a folder
+/// into which no other user can write. The result is empty if the file does not exist, is truncated or
+/// changed, or belongs to another device or driver. Such a file is deleted, so that it is written again.
+[[nodiscard]] StoredPipelines read_pipelines(const std::filesystem::path& file, const PipelineOwner& owner);
+
+/// Writes pipeline data to a cache file, and creates its folder, for the user alone. The file is replaced
+/// atomically. If writing fails, or if other users can write into the folder, the old file stays and no error
+/// is reported, because the file is only a cache.
 void write_pipelines(const std::filesystem::path& file, std::span<const std::byte> pipelines);
 
 /// The VkPipelineCache of a device. The constructor reads the cache from disk; the destructor writes the
@@ -54,6 +63,9 @@ public:
 
     [[nodiscard]] VkPipelineCache handle() const { return cache_; }
 
+    /// Why the cache on disk was ignored, as one line; empty if it was not.
+    [[nodiscard]] const std::string& note() const { return note_; }
+
 private:
     void write_back() const;
 
@@ -61,6 +73,7 @@ private:
     VkPipelineCache cache_ = VK_NULL_HANDLE;
     std::filesystem::path file_; ///< Path of the cache file; empty: pipelines are not cached on disk
     size_t size_read_ = 0;
+    std::string note_;
 };
 
 /// Shaders and fixed-function state of a graphics pipeline.
@@ -89,6 +102,9 @@ public:
     ~PipelineCache();
     PipelineCache(const PipelineCache&) = delete;
     PipelineCache& operator=(const PipelineCache&) = delete;
+
+    /// Why the cache on disk was ignored, as one line; empty if it was not.
+    [[nodiscard]] const std::string& note() const { return store_.note(); }
 
     /// Returns the compute pipeline of `shader`. Bindings 0, 1, ... have the descriptor types `bindings`. The
     /// pipeline has `push_bytes` bytes of push constants, and its specialization constant 0 is `variant`.

@@ -6,6 +6,7 @@
 #include <estampe/error.hpp>
 #include <estampe/shapes.hpp>
 
+#include "core/job_limits.hpp"
 #include "scene/static_triangles.hpp"
 #include "support/scenes.hpp"
 #include "techniques/pose/mesh_data.hpp"
@@ -52,6 +53,26 @@ TEST(DrawnSize, RefusesAMeshThatIsShownTooOften)
     EXPECT_THROW(static_cast<void>(framing_camera(scene, pose_scene(scene, 0.0), 1.0)), Error);
     EXPECT_THROW(static_cast<void>(static_triangles(scene)), Error);
     EXPECT_THROW(static_cast<void>(pose::build_meshes(scene, 0)), Error);
+}
+
+TEST(DrawnSize, ALimitOnMemoryCountsTexturesToo)
+{
+    Scene scene = test::scene_of(shapes::sphere(1.0F, 256, 256));
+    scene.name = "ball";
+    WorkLimits limits;
+    limits.max_memory_bytes = uint64_t{8} << 30U;
+    const JobLimits of_test(limits);
+    EXPECT_EQ(refusal_of(scene), "");
+    scene.nodes[0].instances.resize(1000, glm::mat4(1.0F));
+    const std::string many = refusal_of(scene);
+    EXPECT_TRUE(many.starts_with("ball: drawing ")) << many;
+    EXPECT_NE(many.find("more than 8.0 GiB, the limit of --max-memory; use a lighter scene"),
+              std::string::npos)
+        << many;
+    scene.nodes[0].instances.clear();
+    scene.textures.resize(1);
+    scene.textures[0].image.width = scene.textures[0].image.height = 40000;
+    EXPECT_NE(refusal_of(scene).find("--max-memory"), std::string::npos) << refusal_of(scene);
 }
 
 } // namespace

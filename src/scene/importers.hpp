@@ -3,12 +3,14 @@
 
 // The readers of all scene formats. Each reader of a file format has its own folder. load_scene() selects the
 // reader, and runs it in a child process. The functions of this header run in the process that calls them.
+// Readers of files throw Error for a file outside of `scope`, whichever file names it.
 
 #include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
 
+#include <estampe/read_scope.hpp>
 #include <estampe/scene.hpp>
 
 namespace estampe {
@@ -20,7 +22,7 @@ namespace estampe {
 /// such as missing or corrupt textures and bad normals, and lists the repairs in Scene::warnings. Allocates
 /// at most a few hundred times the size of the files read, plus the decoded textures. Source: Khronos, "glTF
 /// 2.0 Specification", 2021.
-[[nodiscard]] Scene load_gltf(const std::filesystem::path& path);
+[[nodiscard]] Scene load_gltf(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Reads a glTF 2.0 file from memory. A reference to an external buffer throws Error; a reference to an
 /// external image adds a warning. `name` is the name of the file in messages.
@@ -35,7 +37,7 @@ namespace estampe {
 /// colours are sRGB. All materials are double-sided, because the format does not specify sides. Warnings in
 /// Scene::warnings count the elements that cannot be read. Throws Error naming the file when nothing is left
 /// to draw. Cost: about 1 s for a million triangles.
-[[nodiscard]] Scene load_obj(const std::filesystem::path& path);
+[[nodiscard]] Scene load_obj(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Reads an OBJ file from memory, without its material libraries. `name` is the name of the file in messages.
 [[nodiscard]] Scene load_obj_bytes(std::span<const std::byte> bytes, const std::string& name);
@@ -48,7 +50,7 @@ namespace estampe {
 /// its own origin, which becomes the translation of its node. Unknown elements and properties are ignored. A
 /// truncated file is read up to its end, and a line in Scene::warnings says how much is missing. Throws Error
 /// naming the file when nothing is left to draw. Cost: about 0.5 s for a million triangles.
-[[nodiscard]] Scene load_ply(const std::filesystem::path& path);
+[[nodiscard]] Scene load_ply(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Reads a PLY file from memory, without its pictures. `name` is the name of the file in messages.
 [[nodiscard]] Scene load_ply_bytes(std::span<const std::byte> bytes, const std::string& name);
@@ -60,7 +62,7 @@ namespace estampe {
 /// the mesh gets its own origin, which becomes the translation of its node. A truncated file is read up to
 /// its end, and a line in Scene::warnings says how much is missing. Throws Error naming the file when nothing
 /// is left to draw. Cost: about 0.7 s for a million triangles.
-[[nodiscard]] Scene load_stl(const std::filesystem::path& path);
+[[nodiscard]] Scene load_stl(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Reads an STL file from memory. `name` is the name of the file in messages.
 [[nodiscard]] Scene load_stl_bytes(std::span<const std::byte> bytes, const std::string& name);
@@ -72,6 +74,6 @@ namespace estampe {
 /// that are inside out are repaired, with a line in Scene::warnings. Smooth normals are computed if the file
 /// has none. All materials are double-sided, because FBX and COLLADA do not specify sides. Throws Error
 /// naming the file.
-[[nodiscard]] Scene load_with_assimp(const std::filesystem::path& path);
+[[nodiscard]] Scene load_with_assimp(const std::filesystem::path& path, const ReadScope& scope = {});
 
 } // namespace estampe

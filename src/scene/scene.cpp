@@ -15,6 +15,7 @@
 
 #include "core/child/child.hpp"
 #include "core/file.hpp"
+#include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
 #include "core/text.hpp"
 #include "scene/importers.hpp"
@@ -122,23 +123,23 @@ bool is_among(std::string_view extension, std::span<const std::string_view> exte
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-Scene read(const std::filesystem::path& path)
+Scene read(const std::filesystem::path& path, const ReadScope& scope)
 {
     const std::string extension = lower_extension(path);
     if (is_among(extension, gltf_extensions)) {
-        return load_gltf(path);
+        return load_gltf(path, scope);
     }
     if (extension == ".obj") {
-        return load_obj(path);
+        return load_obj(path, scope);
     }
     if (extension == ".ply") {
-        return load_ply(path);
+        return load_ply(path, scope);
     }
     if (extension == ".stl") {
-        return load_stl(path);
+        return load_stl(path, scope);
     }
     if (is_among(extension, other_extensions)) {
-        return load_with_assimp(path);
+        return load_with_assimp(path, scope);
     }
     throw Error(
         extension.empty() ? "has no file name extension"
@@ -160,7 +161,7 @@ void name_warnings(std::vector<std::string>& warnings, const std::string& name)
 /// Reads a scene and makes it ready to be drawn. Runs in a child process.
 Scene read_whole(const std::filesystem::path& path, const LoadOptions& options)
 {
-    Scene scene = read(path);
+    Scene scene = read(path, options.scope);
     scene.files.insert(scene.files.begin(), path);
     if (!options.variant.empty()) {
         apply_variant(scene, options.variant);
@@ -182,6 +183,7 @@ Scene read_whole(const std::filesystem::path& path, const LoadOptions& options)
 
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
 {
+    const JobLimits limits(options.limits); // The child process has them, too
     const std::string where = path.string();
     Scene scene = run_in_child([&] { return read_whole(path, options); }, limits_for_file(path), where);
     check_received_scene(scene, where);

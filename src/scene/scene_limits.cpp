@@ -11,6 +11,7 @@
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
+#include "core/job_limits.hpp"
 #include "scene/visibility.hpp"
 
 namespace estampe {
@@ -177,9 +178,14 @@ void check_drawn_size(const Scene& scene, const std::string& where)
                                 size.vertices, size.triangles, most_vertices),
                     place, lighten_it);
     }
-    require_memory(size.vertices * bytes_a_vertex + size.triangles * bytes_a_triangle,
-                   fmt::format("drawing {} vertices and {} triangles", size.vertices, size.triangles), place,
-                   lighten_it);
+    uint64_t bytes = size.vertices * bytes_a_vertex + size.triangles * bytes_a_triangle;
+    // Textures lie on the device, whose memory need not be the machine's; a limit of the user counts both.
+    for (const Texture& texture : scene.textures) {
+        constexpr uint64_t bytes_a_texel = 6; // with smaller copies for the distance
+        bytes += is_memory_limited() ? bytes_a_texel * texture.image.width * texture.image.height : 0;
+    }
+    require_memory(bytes, fmt::format("drawing {} vertices and {} triangles", size.vertices, size.triangles),
+                   place, lighten_it);
 }
 
 } // namespace estampe

@@ -14,6 +14,7 @@
 #include <estampe/error.hpp>
 
 #include "core/file.hpp"
+#include "core/read_scope.hpp"
 #include "core/text.hpp"
 #include "style/material_kind.hpp"
 #include "style/names.hpp"
@@ -43,10 +44,10 @@ bool looks_like_a_file(const std::string& name)
 
 /// Reads a style file. Throws Error with the file's name when it is missing, a folder, unreadable or larger
 /// than 1 MiB.
-Source load_source(const std::filesystem::path& path)
+Source load_source(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 20;
-    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes, scope);
     std::string text(bytes.size(), '\0');
     std::memcpy(text.data(), bytes.data(), bytes.size());
     return {path.string(), std::move(text)};
@@ -84,20 +85,26 @@ std::vector<std::string> parts_of(const std::string& style_name)
     return parts;
 }
 
-Source resolve(const std::string& preset_or_file, const std::string& from)
+Source resolve(const std::string& preset_or_file, const std::string& from, const ReadScope& scope)
 {
     if (const auto text = preset_text(preset_or_file)) {
         return {std::string(preset_prefix) + preset_or_file, std::string(*text)};
     }
     std::filesystem::path path = preset_or_file;
     if (!from.empty() && !from.starts_with(preset_prefix)) {
+        require_inside(preset_or_file, scope, preset_or_file);
         path = (std::filesystem::path(from).parent_path() / path).lexically_normal();
     }
     std::error_code problem;
     if (!looks_like_a_file(preset_or_file) && !std::filesystem::exists(path, problem)) {
         fail_unknown(preset_or_file);
     }
-    return load_source(path);
+    return load_source(path, scope);
+}
+
+Resolver resolver_within(const ReadScope& scope)
+{
+    return [scope](const std::string& name, const std::string& from) { return resolve(name, from, scope); };
 }
 
 namespace {
@@ -132,11 +139,18 @@ void append(std::vector<Override>& overrides, const Override& change)
     overrides.push_back(change);
 }
 
+/// An error whose message shows no content of a style's text, apart from names of files in `extends`.
+class UnquotedError : public Error {
+public:
+    using Error::Error;
+};
+
 /// Turns the entries of style texts into changes of parameters, and reports all errors of the texts.
 class Reader {
 public:
-    Reader(const AnySchema& schema, std::optional<Place> overrides_place, Resolver resolver)
-        : schema_(schema), overrides_place_(overrides_place), resolver_(std::move(resolver))
+    Reader(const AnySchema& schema, std::optional<Place> overrides_place, Resolver resolver,
+           const ReadScope& scope)
+        : schema_(schema), overrides_place_(overrides_place), resolver_(std::move(resolver)), scope_(scope)
     {
     }
 
@@ -167,6 +181,9 @@ public:
         if (parameter->kind == Kind::file && !chain_.empty()) {
             const auto& text = std::get<std::string>(value);
             const bool is_name = std::ranges::find(parameter->choices, text) != parameter->choices.end();
+            if (!is_name) {
+                require_inside(text, scope_, entry.value_where);
+            }
             value = is_name ? text : beside(chain_.back(), text);
         }
         if (entry.surfaces.by == Surfaces::By::all) {
@@ -309,25 +326,44 @@ private:
         Source base;
         try {
             base = resolver_(*name, chain_.back());
+        } catch (const OutsideScope& problem) {
+            throw OutsideScope(problem.what(), entry.value_where);
         } catch (const Error& problem) {
             throw Error(problem.what(), entry.value_where);
         }
         if (std::find(chain_.begin(), chain_.end(), base.name) != chain_.end()) {
-            throw Error(
+            throw UnquotedError(
                 fmt::format("extends goes in a circle: {} -> {}", fmt::join(chain_, " -> "), base.name),
                 entry.value_where, "remove one extends line");
         }
         if (chain_.size() >= deepest) {
-            throw Error(fmt::format("is the {}th style of a chain of extends; {} are the most",
-                                    chain_.size() + 1, deepest),
-                        entry.value_where, "let it extend a style nearer to the end of the chain");
+            throw UnquotedError(fmt::format("is the {}th style of a chain of extends; {} are the most",
+                                            chain_.size() + 1, deepest),
+                                entry.value_where, "let it extend a style nearer to the end of the chain");
         }
-        read(base);
+        read_base(base, entry);
+    }
+
+    /// Reads a style that another one extends. Its file may be anything, such as a file with passwords, so
+    /// messages do not quote it.
+    void read_base(const Source& base, const Entry& entry)
+    {
+        try {
+            read(base);
+        } catch (const OutsideScope&) {
+            throw;
+        } catch (const UnquotedError&) {
+            throw;
+        } catch (const Error& problem) {
+            throw UnquotedError("is no style that can be extended", problem.where(),
+                                fmt::format("mend it there, or leave out extends at {}", entry.value_where));
+        }
     }
 
     const AnySchema& schema_;
     std::optional<Place> overrides_place_;
     Resolver resolver_;
+    const ReadScope& scope_;
     /// Names of the style texts that are being read, each extended by the one before it. The list is used to
     /// detect cycles.
     std::vector<std::string> chain_;
@@ -404,9 +440,10 @@ bool AnySchema::has_table(std::string_view name) const
     return next != index_.end() && next->first.starts_with(first);
 }
 
-void AnySchema::read_any(void* values, const Source& source, const Resolver& resolver) const
+void AnySchema::read_any(void* values, const Source& source, const Resolver& resolver,
+                         const ReadScope& scope) const
 {
-    Reader reader(*this, overrides_, resolver);
+    Reader reader(*this, overrides_, resolver, scope);
     reader.read(source);
     reader.apply(values);
 }
@@ -422,7 +459,8 @@ void AnySchema::set_any(void* values, std::string_view assignment, const std::st
     Entry entry = named_entry(*this, name, where);
     entry.value_where = where;
 
-    Reader reader(*this, overrides_, resolve);
+    const ReadScope no_limit; // the user may name any file
+    Reader reader(*this, overrides_, resolver_within({}), no_limit);
     const Parameter& parameter = *reader.find(entry.section, entry.key, where).parameter;
     const std::string_view value = trimmed(assignment.substr(equals + 1));
     const bool one_line = value.find_first_of("\r\n") == std::string_view::npos;

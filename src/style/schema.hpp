@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
+
 #include "style/parameter.hpp"
 
 namespace estampe::style {
@@ -43,8 +45,13 @@ struct Source {
 using Resolver = std::function<Source(const std::string& name, const std::string& from)>;
 
 /// Finds a style text by name: a preset or addition of that name, otherwise a file, relative to the folder of
-/// the file that names it. Throws Error listing the presets and additions when neither exists.
-[[nodiscard]] Source resolve(const std::string& preset_or_file, const std::string& from);
+/// the file that names it. Throws Error listing the presets and additions when neither exists, and Error for
+/// a file outside of `scope`.
+[[nodiscard]] Source resolve(const std::string& preset_or_file, const std::string& from,
+                             const ReadScope& scope = {});
+
+/// The Resolver of style files: resolve() within `scope`.
+[[nodiscard]] Resolver resolver_within(const ReadScope& scope);
 
 /// The place of a member in a schema's values, stored as an offset because the type of the values is unknown
 /// here.
@@ -97,7 +104,7 @@ public:
 
 protected:
     void add(Section section);
-    void read_any(void* values, const Source& source, const Resolver& resolver) const;
+    void read_any(void* values, const Source& source, const Resolver& resolver, const ReadScope& scope) const;
     void set_any(void* values, std::string_view assignment, const std::string& where) const;
     void apply_any(void* values, const Override& change) const;
     [[nodiscard]] std::string write_any(const void* values) const;
@@ -152,17 +159,20 @@ public:
     }
 
     /// Reads a preset or a TOML file, which has one table per section. Values of the style named in `extends
-    /// = "preset or file"` are applied first, and the text's own values after them.
-    void read(Values& values, const std::string& preset_or_file, const Resolver& resolver = resolve) const
+    /// = "preset or file"` are applied first, and the text's own values after them. Messages show no content
+    /// of a file that is named in `extends`, because the file may be no style at all. Throws Error if a text
+    /// names a file outside of `scope`; the files of parameters may then still be links.
+    void read(Values& values, const std::string& preset_or_file, const ReadScope& scope = {}) const
     {
-        read_any(&values, resolver(preset_or_file, {}), resolver);
+        const Resolver resolver = resolver_within(scope);
+        read_any(&values, resolver(preset_or_file, {}), resolver, scope);
     }
 
     /// Reads a style from a TOML text. In error messages, `where` is the name of the text.
     void read_text(Values& values, std::string_view text, const std::string& where,
-                   const Resolver& resolver = resolve) const
+                   const Resolver& resolver = resolver_within({})) const
     {
-        read_any(&values, {where, std::string(text)}, resolver);
+        read_any(&values, {where, std::string(text)}, resolver, {});
     }
 
     /// Applies one assignment, such as "hatch.width_mm=0.5" or "material.brick*.hatch.width_mm=0.5". The

@@ -267,6 +267,52 @@ TEST_F(StyleFiles, ExtendsOfNothing)
     EXPECT_NE(read_error("[extends]").find("unknown section"), std::string::npos);
 }
 
+TEST_F(StyleFiles, MessagesQuoteNoFileThatIsExtended)
+{
+    for (const char* text : {"hunter2:x:0:0", "hunter2 = 1", "[hunter2]", "hatch.hunter2 = 1",
+                             "hatch.width_mm = \"hunter2\"", "extends = \"hunter2\"", "extends = hunter2"}) {
+        const std::string secret = write("secret", text).string();
+        const auto top = write("top.toml", "extends = \"./middle.toml\"");
+        const auto middle = write("middle.toml", "hatch.layers = 2\nextends = \"./secret\"");
+        Styles styles;
+        for (const std::filesystem::path& path : {top, middle}) {
+            const std::string message = message_of([&] { schema().read(styles, path.string()); });
+            EXPECT_EQ(message.find("hunter2"), std::string::npos) << message;
+            EXPECT_TRUE(message.starts_with(secret + ":1:")) << message;
+            EXPECT_NE(message.find("is no style that can be extended"), std::string::npos) << message;
+            EXPECT_NE(message.find(middle.string() + ":2:11"), std::string::npos) << message;
+        }
+    }
+}
+
+TEST_F(StyleFiles, TheStyleThatTheUserNamesIsQuoted)
+{
+    const auto own = write("own.toml", "hunter2 = 1");
+    Styles styles;
+    EXPECT_NE(message_of([&] { schema().read(styles, own.string()); }).find("hunter2"), std::string::npos);
+}
+
+TEST_F(StyleFiles, AScopeLimitsWhatTheyName)
+{
+    write("secret.toml", "hatch.layers = 2");
+    const std::string absolute = write("in/own.toml", "hatch.layers = 3").string();
+    std::filesystem::create_symlink("../secret.toml", folder_ / "in/link.toml");
+    const ReadScope scope{{folder_ / "in"}};
+    Styles styles;
+    schema().read(styles, write("in/a.toml", "extends = \"./own.toml\"").string(), scope);
+    EXPECT_EQ(styles.hatch.layers, 3);
+    for (const std::string& name : {std::string("../secret.toml"), std::string("./../in/own.toml"), absolute,
+                                    std::string("./link.toml"), std::string("..\\\\secret.toml")}) {
+        const auto path = write("in/a.toml", "\nextends = \"" + name + "\"");
+        const std::string message = message_of([&] { schema().read(styles, path.string(), scope); });
+        EXPECT_TRUE(message.starts_with(path.string() + ":2:11: ")) << message;
+        EXPECT_NE(message.find("outside the folder " + (folder_ / "in").string()), std::string::npos)
+            << message;
+    }
+    EXPECT_NE(message_of([&] { schema().read(styles, (folder_ / "in/link.toml").string(), scope); }), "");
+    EXPECT_NE(message_of([&] { schema().read(styles, (folder_ / "secret.toml").string(), scope); }), "");
+}
+
 TEST_F(StyleFiles, FilesThatCannotBeStyles)
 {
     Styles styles;

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$1"
 failures=0
 named="$(grep -oE '[A-Za-z0-9_/.-]+\.md$' docs/mkdocs.yml | sort)"
-pages="$(find README.md app docs examples src worlds -name '*.md' | sort)"
+pages="$(find README.md SECURITY.md app docs examples src worlds -name '*.md' | sort)"
 only_named="$(comm -23 <(echo "$named") <(echo "$pages"))"
 only_there="$(comm -13 <(echo "$named") <(echo "$pages"))"
 [[ -z "$only_named" ]] || { echo "FAILED: docs/mkdocs.yml names what is not there: $only_named" >&2; failures=1; }

@@ -26,6 +26,7 @@
 
 #include "core/child/confine.hpp"
 #include "core/free_memory.hpp"
+#include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
 
 #if defined(__SANITIZE_THREAD__)
@@ -302,6 +303,10 @@ void take_messages(Running& running, const std::function<void(ByteReader&)>& rec
         case Message::error:
             throw_error(reader, where);
         case Message::out_of_memory:
+            if (is_memory_limited())
+                throw Error(fmt::format("reading it needs more memory than {}, the limit of --max-memory",
+                                        in_bytes(JobLimits::of_thread().memory_bytes)),
+                            where, "raise the limit");
             throw Error("reading it takes more memory than a file of this size should", where, try_others);
         case Message::cannot_confine:
             throw Error(fmt::format("reading cannot be confined to {}: {}",
@@ -368,8 +373,11 @@ ChildLimits limits_for_file(const std::filesystem::path& path)
     limits.wall_s = 2.0 * limits.cpu_s;
     // A small file may name large buffers beside it.
     constexpr uint64_t most_bytes = uint64_t{1} << 40U;
-    limits.memory_bytes =
-        std::min(std::max(base_bytes + bytes_each_byte * size, free_memory_bytes() / 2), most_bytes);
+    // What a decoder needs beside its buffers. Its buffers are estimated before they are allocated, and an
+    // estimate tells more than an allocation that fails.
+    constexpr uint64_t least_bytes = uint64_t{256} << 20U;
+    limits.memory_bytes = std::min({std::max(base_bytes + bytes_each_byte * size, free_memory_bytes() / 2),
+                                    most_bytes, std::max(JobLimits::of_thread().memory_bytes, least_bytes)});
     return limits;
 }
 

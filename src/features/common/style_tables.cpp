@@ -24,6 +24,14 @@ const style::Table<PictureStyle>& picture_table()
     return table;
 }
 
+void limit_files(StyleTables& style, const ReadScope& scope)
+{
+    for (ReadScope* const own : {&style.contour.scope, &style.hatch.scope, &style.ink.scope,
+                                 &style.particles.scope, &style.wash.scope}) {
+        *own = scope;
+    }
+}
+
 const style::Schema<StyleTables>& style_schema()
 {
     static const auto schema = style::Schema<StyleTables>()

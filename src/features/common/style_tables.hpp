@@ -90,6 +90,9 @@ struct StyleTables {
 /// `style_schema().set(tables, "hatch.width_mm=0.5")`.
 [[nodiscard]] const style::Schema<StyleTables>& style_schema();
 
+/// Limits the files that parameters name: pictures are only read within `scope`.
+void limit_files(StyleTables& style, const ReadScope& scope);
+
 /// Copies sections that several features read to the tables of those features: the wind to hatch, clouds,
 /// smoke and particles, and the fading of paint and hatching in haze to wash and hatch. If wind.from is auto,
 /// the wind of `terrain` (which may be null) replaces that of the style. Returns `style` itself if wind and

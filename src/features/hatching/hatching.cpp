@@ -11,6 +11,7 @@
 
 #include "core/file.hpp"
 #include "core/hash.hpp"
+#include "core/private_folder.hpp"
 #include "gpu/resources.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "style/schema.hpp"
@@ -167,7 +168,7 @@ tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
     tam::TonalArtMap map = tam::make_map(style);
     if (!path.empty()) {
         try {
-            std::filesystem::create_directories(path.parent_path());
+            make_private_folder(path.parent_path());
             tam::save_tam(map, path);
         } catch (const std::exception&) {
             // On a full or read-only disk the tonal art map is not cached, and is drawn again next time.
@@ -181,6 +182,7 @@ tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
 MapChoice map_choice(const StyleTables& style)
 {
     return {.file = style.hatch.map,
+            .scope = style.hatch.scope,
             .drawn = style.tam,
             .tone = style.hatch.map_tone,
             .contrast = style.hatch.map_contrast};
@@ -200,7 +202,8 @@ std::filesystem::path kept_map(const tam::TamStyle& style)
 
 hatch::MapData load_map(const MapChoice& choice)
 {
-    tam::TonalArtMap map = choice.file.empty() ? drawn_or_kept(choice.drawn) : tam::read_map(choice.file).map;
+    tam::TonalArtMap map =
+        choice.file.empty() ? drawn_or_kept(choice.drawn) : tam::read_map(choice.file, choice.scope).map;
     std::vector<std::vector<uint8_t>> thresholds = tam::threshold_levels(map);
     return {.size_px = map.size_px,
             .level_of_tone = std::move(map.level_of_tone),

@@ -60,6 +60,7 @@ hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, co
 /// The settings on which a tonal art map depends.
 struct MapChoice {
     std::string file; ///< Path of a tonal art map; if empty, a map is drawn with the settings of `drawn`
+    ReadScope scope;  ///< Limits the files of the tonal art map
     tam::TamStyle drawn;
     hatch::MapTone tone = hatch::MapTone::order;
     float contrast = 1.0F;

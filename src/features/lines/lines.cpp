@@ -300,22 +300,22 @@ contour::BrushStrip drawn_by(tam::Tool tool, contour::BrushFit fit)
     return strip;
 }
 
-contour::BrushStrip pictured(const std::string& path)
+contour::BrushStrip pictured(const std::string& path, const ReadScope& scope)
 {
-    const Image picture = load_image(path);
+    const Image picture = load_image(path, scope);
     return {.ink = tam::stroke_of(picture, brush_columns, rows, path),
             .widths = static_cast<float>(picture.width) / static_cast<float>(std::max(picture.height, 1U))};
 }
 
-contour::BrushStrip strip_of(const std::string& brush, contour::BrushFit fit)
+contour::BrushStrip strip_of(const std::string& brush, const BrushChoice& choice)
 {
     if (brush == "pencil") {
-        return drawn_by(tam::Tool::pencil, fit);
+        return drawn_by(tam::Tool::pencil, choice.fit);
     }
     if (brush == "charcoal") {
-        return drawn_by(tam::Tool::charcoal, fit);
+        return drawn_by(tam::Tool::charcoal, choice.fit);
     }
-    return brush == "brush" ? drawn_by(tam::Tool::brush, fit) : pictured(brush);
+    return brush == "brush" ? drawn_by(tam::Tool::brush, choice.fit) : pictured(brush, choice.scope);
 }
 
 /// Draws the picture of one dash with round ends, and the gap after it.
@@ -347,7 +347,7 @@ bool is_pen(const std::string& brush)
 
 BrushChoice brush_choice(const contour::ContourStyle& style)
 {
-    BrushChoice choice{.fit = style.brush_fit};
+    BrushChoice choice{.brush_of_kind = {}, .fit = style.brush_fit, .scope = style.scope};
     for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
         const std::string& own = contour::line_style(style, kind).brush;
         // Geometric kinds of lines, such as creases, are searched even if the style itself does not draw
@@ -383,7 +383,7 @@ std::optional<contour::BrushSet> load_brushes(const contour::ContourStyle& style
         }
         const auto [place, is_new] = known.try_emplace(brush, static_cast<uint32_t>(set.strips.size()));
         if (is_new) {
-            set.strips.push_back(strip_of(brush, choice.fit));
+            set.strips.push_back(strip_of(brush, choice));
         }
         set.strip_of_use.at(kind) = place->second;
     }

@@ -81,6 +81,7 @@ struct BrushChoice {
     float dash_mm = 0.0F; ///< Length of the dashes of hidden lines; 0: no dashes
     float gap_mm = 0.0F;
     float dash_width_mm = 0.0F;
+    ReadScope scope; ///< Limits the files of the pictures
     bool operator==(const BrushChoice&) const = default;
 };
 

@@ -62,7 +62,7 @@ void Toon::ensure_pictures(gpu::Device& device, const StyleVariants& variants)
     for (const StyleTables& style : variants.styles) {
         const std::string& path = style.wash.shade_texture;
         if (is_picture(style.wash) && std::ranges::find(pictures, path, &Picture::path) == pictures.end()) {
-            images.push_back(load_image(path));
+            images.push_back(load_image(path, style.wash.scope));
             pictures.push_back({.path = path, .mean_color = surface::mean_color(images.back())});
         }
     }

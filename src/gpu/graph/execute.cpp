@@ -8,6 +8,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/job_limits.hpp"
 #include "gpu/pass_costs.hpp"
 #include "gpu/resources.hpp"
 
@@ -116,6 +117,7 @@ const Buffer& Executor::buffer_of(uint32_t resource) const
 
 void Executor::run(const Graph& graph)
 {
+    check_time();
     compiler_.compile(graph, compiled_);
     if (compiled_.passes.size() > max_passes) {
         throw Error("the frame has too many passes");

@@ -43,9 +43,13 @@ public:
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
 
-    /// Compiles and runs `graph`, and waits until the device has finished. Reuses transient images and
-    /// buffers of recent runs if they match.
+    /// Compiles and runs `graph`, and waits until the device has finished. Throws TimeIsUp instead if the
+    /// time limit of the current thread (JobLimits) is over. Reuses transient images and buffers of recent
+    /// runs if they match.
     void run(const Graph& graph);
+
+    /// Why the cache of compiled pipelines on disk was ignored, as one line; empty if it was not.
+    [[nodiscard]] const std::string& pipelines_note() const { return pipelines_.note(); }
 
     /// Binds the shaders of `graph` without running them, from the last pass to the first, while `go_on`
     /// returns true. Drivers that compile a shader at its first use then compile all shaders of the graph.

@@ -207,20 +207,12 @@ std::string name_of(const aiString& name)
 
 namespace {
 
-/// Lets Assimp open only regular files. Reading a pipe or a device could wait forever.
-class RegularFiles : public Assimp::DefaultIOSystem {
+/// Lets Assimp open no file. Assimp gets the scene's file as bytes; pictures are read by load_pictures().
+class NoFiles : public Assimp::DefaultIOSystem {
 public:
-    bool Exists(const char* file) const override
-    {
-        std::error_code failed;
-        return std::filesystem::is_regular_file(file, failed) &&
-               std::filesystem::file_size(file, failed) > 0; // files in the folder /proc have no size
-    }
+    bool Exists(const char* /*file*/) const override { return false; }
 
-    Assimp::IOStream* Open(const char* file, const char* mode) override
-    {
-        return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
-    }
+    Assimp::IOStream* Open(const char* /*file*/, const char* /*mode*/) override { return nullptr; }
 };
 
 Conversion convert(const aiScene& source, const std::filesystem::path& path)
@@ -243,9 +235,10 @@ const aiScene& checked(const aiScene* scene, const Assimp::Importer& importer)
     return *scene;
 }
 
-UndecodedScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
+UndecodedScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& path, const ReadScope& scope,
+                        unsigned steps)
 {
-    std::vector<std::byte> bytes = read_file(path);
+    std::vector<std::byte> bytes = read_file(path, any_length, scope);
     const std::span file(reinterpret_cast<char*>(bytes.data()), bytes.size());
     fbx::Document document;
     {
@@ -260,9 +253,10 @@ UndecodedScene read_fbx(Assimp::Importer& importer, const std::filesystem::path&
     return std::move(conversion.result);
 }
 
-UndecodedScene read_dae(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
+UndecodedScene read_dae(Assimp::Importer& importer, const std::filesystem::path& path, const ReadScope& scope,
+                        unsigned steps)
 {
-    const dae::Document document = dae::read_document(path);
+    const dae::Document document = dae::read_document(path, scope);
     const aiScene* const scene =
         importer.ReadFileFromMemory(document.text.data(), document.text.size(), steps, "dae");
     Conversion conversion = convert(checked(scene, importer), path);
@@ -281,25 +275,21 @@ UndecodedScene read_dae(Assimp::Importer& importer, const std::filesystem::path&
 /// Reads `path` with Assimp and converts the result to a scene. load_scene() calls this function in a child
 /// process, because Assimp may crash or get stuck on a malicious file. The geometry is not repaired yet:
 /// faces share no vertices, and normals exist only if the file has them. Throws Error or std::bad_alloc.
-UndecodedScene read_with_assimp(const std::filesystem::path& path)
+UndecodedScene read_with_assimp(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
     Assimp::Importer importer;
-    importer.SetIOHandler(new RegularFiles); // the importer takes ownership of this object
+    importer.SetIOHandler(new NoFiles); // the importer takes ownership of this object
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-    const std::string extension = lower_extension(path);
-    if (extension == ".fbx")
-        return read_fbx(importer, path, steps);
-    if (extension == ".dae")
-        return read_dae(importer, path, steps);
-    return convert(checked(importer.ReadFile(path.string(), steps), importer), path).result;
+    return lower_extension(path) == ".fbx" ? read_fbx(importer, path, scope, steps)
+                                           : read_dae(importer, path, scope, steps);
 }
 
 /// Calls read_with_assimp(). Messages of Assimp get the file as their place.
-UndecodedScene read_naming_file(const std::filesystem::path& path)
+UndecodedScene read_naming_file(const std::filesystem::path& path, const ReadScope& scope)
 {
     try {
-        return read_with_assimp(path);
+        return read_with_assimp(path, scope);
     } catch (const Error& error) {
         if (!error.where().empty())
             throw;
@@ -348,16 +338,16 @@ void give_lights_units(Scene& scene)
 
 } // namespace
 
-Scene load_with_assimp(const std::filesystem::path& path)
+Scene load_with_assimp(const std::filesystem::path& path, const ReadScope& scope)
 {
     check_file(path);
     if (lower_extension(path) == ".fbx")
-        fbx::check_version(path);
-    UndecodedScene undecoded = read_naming_file(path);
+        fbx::check_version(path, scope);
+    UndecodedScene undecoded = read_naming_file(path, scope);
     Scene& scene = undecoded.scene;
     mend_meshes(scene, path.string());
     check_structure(scene, path.string());
-    FileFinder finder({path.parent_path()});
+    FileFinder finder({path.parent_path()}, scope);
     load_pictures(scene, undecoded.images, finder);
     give_lights_units(scene);
     return std::move(scene);

@@ -343,9 +343,9 @@ std::optional<double> number_below(const pugi::xml_node& root, const char* name)
 
 } // namespace
 
-Document read_document(const std::filesystem::path& path)
+Document read_document(const std::filesystem::path& path, const ReadScope& scope)
 {
-    std::vector<std::byte> bytes = read_file(path);
+    std::vector<std::byte> bytes = read_file(path, any_length, scope);
     pugi::xml_document xml;
     const pugi::xml_parse_result result = xml.load_buffer_inplace(bytes.data(), bytes.size());
     if (!result)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
 #include <estampe/scene.hpp>
 
 namespace estampe::dae {
@@ -25,7 +26,7 @@ struct Document {
 /// single blanks, and cameras are numbered. Assimp stores coordinates as floats, which are imprecise far from
 /// the origin. Therefore vertices far from the origin are moved to the origin, and their nodes by the
 /// opposite offset. Throws Error without a place when the file is not XML.
-[[nodiscard]] Document read_document(const std::filesystem::path& path);
+[[nodiscard]] Document read_document(const std::filesystem::path& path, const ReadScope& scope);
 
 /// Returns the index of a camera in Document::lenses. read_document() has stored this index as the far plane
 /// of the camera.

@@ -62,6 +62,7 @@ private:
     struct Decoded {
         Image image;
         std::string failure; ///< reason why the picture could not be read; empty if it was read
+        std::string refusal; ///< message about a picture that lies outside of the scope of reading
         bool is_missing = false;
         size_t uses_left = 0;
     };

@@ -19,6 +19,7 @@
 
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
+#include "core/read_scope.hpp"
 
 namespace estampe::gltf {
 namespace {
@@ -114,8 +115,9 @@ uint64_t unsigned_of(const tinygltf::Value& object, const std::string& key)
 } // namespace
 
 Data::Data(Document document, const Container& container, std::string file,
-           std::optional<std::filesystem::path> folder)
-    : document_(std::move(document)), file_(std::move(file)), folder_(std::move(folder))
+           std::optional<std::filesystem::path> folder, ReadScope scope)
+    : document_(std::move(document)), file_(std::move(file)), folder_(std::move(folder)),
+      scope_(std::move(scope))
 {
     load_buffers(container);
     views_.resize(model().bufferViews.size());
@@ -169,7 +171,7 @@ std::span<const std::byte> Data::named_bytes(size_t index)
     try {
         return owned_.emplace_back(is_data_uri(source.uri)
                                        ? resource(source.uri)
-                                       : read_file_start(file_of(source.uri), source.byte_length));
+                                       : read_file_start(file_of(source.uri), source.byte_length, scope_));
     } catch (const Error& error) {
         fail(fmt::format("/buffers/{}/uri", index), error.what());
     }
@@ -202,12 +204,15 @@ std::vector<std::byte> Data::resource(const std::string& uri) const
         return std::move(*bytes);
     }
     constexpr uint64_t max_resource_bytes = uint64_t{1} << 31;
-    return read_file(file_of(uri), max_resource_bytes);
+    return read_file(file_of(uri), max_resource_bytes, scope_);
 }
 
 std::filesystem::path Data::file_of(const std::string& uri) const
 {
     const auto relative = decode_relative_uri(uri);
+    if (scope_.is_limited() && (!relative || leads_upwards(*relative))) {
+        fail_outside(resource_name(uri), scope_, resource_name(uri));
+    }
     if (!relative) {
         throw Error("is not a relative path", resource_name(uri), "put the file beside the glTF");
     }

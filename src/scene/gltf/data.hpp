@@ -17,6 +17,7 @@
 #include <tiny_gltf.h>
 
 #include <estampe/error.hpp>
+#include <estampe/read_scope.hpp>
 #include <estampe/scene.hpp>
 
 namespace estampe::gltf {
@@ -31,7 +32,8 @@ struct Container {
 
 /// Reads a glTF file, up to the length that its header declares. Checks the first bytes before it reads the
 /// rest, so that a large file of another type is rejected at once. Throws Error as open_container() does.
-[[nodiscard]] std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path);
+[[nodiscard]] std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path,
+                                                     const ReadScope& scope = {});
 
 /// Finds the JSON text and the binary chunk of a glTF file. The result points into `bytes`; nothing is
 /// copied. Throws Error with a byte offset when the file is empty, truncated, of another version or not glTF.
@@ -97,9 +99,10 @@ inline constexpr const char* our_key = "estampe";
 /// file can therefore not create a huge scene. All members throw Error with `file#/json/pointer`.
 class Data {
 public:
-    /// Reads every buffer of the file. Without a `folder`, external files cannot be read.
+    /// Reads every buffer of the file. Without a `folder`, external files cannot be read. External files
+    /// outside of `scope` are refused.
     Data(Document document, const Container& container, std::string file,
-         std::optional<std::filesystem::path> folder);
+         std::optional<std::filesystem::path> folder, ReadScope scope = {});
 
     [[nodiscard]] const tinygltf::Model& model() const { return document_.model; }
 
@@ -118,7 +121,7 @@ public:
     }
 
     /// Returns the bytes of a data URI, or of an external file whose path is relative to the document. Throws
-    /// Error with the name of the resource as its place.
+    /// Error with the name of the resource as its place, OutsideScope for a file outside of the scope.
     [[nodiscard]] std::vector<std::byte> resource(const std::string& uri) const;
     [[nodiscard]] std::string resource_name(const std::string& uri) const;
 
@@ -158,6 +161,7 @@ private:
     Document document_;
     std::string file_;
     std::optional<std::filesystem::path> folder_;
+    ReadScope scope_;
     std::vector<std::vector<std::byte>> owned_;
     std::vector<std::span<const std::byte>> buffers_;
     std::vector<std::span<const std::byte>> views_;

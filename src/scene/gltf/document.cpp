@@ -154,19 +154,20 @@ void check_nesting(const Container& container, const std::string& file)
 
 } // namespace
 
-std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path)
+std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t start_bytes = 4096;
     constexpr uint64_t max_text_bytes = uint64_t{1} << 32;
-    std::vector<std::byte> start = read_file_start(path, start_bytes);
+    std::vector<std::byte> start = read_file_start(path, start_bytes, scope);
     if (start.size() < start_bytes) {
         return start;
     }
     if (is_binary(start)) {
-        return read_file_start(path, std::max<uint64_t>(promised_length(start, path.string()), start_bytes));
+        return read_file_start(path, std::max<uint64_t>(promised_length(start, path.string()), start_bytes),
+                               scope);
     }
     check_is_text(start, path.string());
-    return read_file(path, max_text_bytes);
+    return read_file(path, max_text_bytes, scope);
 }
 
 Container open_container(std::span<const std::byte> bytes, const std::string& file)
@@ -290,8 +291,7 @@ json parse_json(const Container& container, const std::string& file)
         const std::string number =
             open == std::string::npos ? "" : text.substr(open + 1, text.rfind('\'') - open - 1);
         const size_t byte = number.empty() ? 0 : container.json.find(number);
-        throw Error(fmt::format("number {} is too large", number.substr(0, 40)),
-                    place_in_json(container, file, byte));
+        throw Error("a number is too large", place_in_json(container, file, byte));
     }
 }
 
@@ -299,8 +299,7 @@ void check_version(const json& document, const std::string& file)
 {
     const auto& version = document["asset"]["version"].get_ref<const std::string&>();
     if (!version.starts_with("2.")) {
-        throw Error(fmt::format("glTF version {}; only version 2 is read", version.substr(0, 20)),
-                    file + "#/asset/version", "convert it to glTF 2.0");
+        throw Error("is another version of glTF than 2", file + "#/asset/version", "convert it to glTF 2.0");
     }
 }
 

@@ -146,11 +146,11 @@ void warn_of_required(gltf::Data& data)
 }
 
 Scene import(std::span<const std::byte> bytes, const std::string& file,
-             const std::optional<std::filesystem::path>& folder)
+             const std::optional<std::filesystem::path>& folder, const ReadScope& scope)
 {
     try {
         const gltf::Container container = gltf::open_container(bytes, file);
-        gltf::Data data(gltf::read_document(container, file), container, file, folder);
+        gltf::Data data(gltf::read_document(container, file), container, file, folder, scope);
         gltf::check_accessors(data);
         Scene scene;
         scene.file_unit_m = 1.0;
@@ -178,14 +178,14 @@ Scene import(std::span<const std::byte> bytes, const std::string& file,
 
 } // namespace
 
-Scene load_gltf(const std::filesystem::path& path)
+Scene load_gltf(const std::filesystem::path& path, const ReadScope& scope)
 {
-    return import(gltf::read_gltf_bytes(path), path.string(), path.parent_path());
+    return import(gltf::read_gltf_bytes(path, scope), path.string(), path.parent_path(), scope);
 }
 
 Scene load_gltf_bytes(std::span<const std::byte> bytes, const std::string& name)
 {
-    return import(bytes, name, std::nullopt);
+    return import(bytes, name, std::nullopt, {});
 }
 
 } // namespace estampe

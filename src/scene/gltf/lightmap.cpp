@@ -323,20 +323,21 @@ void check_received(const Lightmap& map, const std::string& file)
 
 } // namespace
 
-std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file)
+std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file, const ReadScope& scope)
 {
     const std::string extension = lower_extension(scene_file);
     if (extension != ".gltf" && extension != ".glb" && extension != ".vrm") {
         return std::nullopt;
     }
     const std::string file = scene_file.string();
-    const std::vector<std::byte> bytes = gltf::read_gltf_bytes(scene_file);
+    const std::vector<std::byte> bytes = gltf::read_gltf_bytes(scene_file, scope);
     const gltf::Container container = gltf::open_container(bytes, file);
     if (container.json.find(gltf::map_key) == std::string_view::npos) {
         return std::nullopt;
     }
     const auto read = [&] {
-        gltf::Data data(gltf::read_document(container, file), container, file, scene_file.parent_path());
+        gltf::Data data(gltf::read_document(container, file), container, file, scene_file.parent_path(),
+                        scope);
         return gltf::NamedMaps(data).take();
     };
     std::optional<Lightmap> map = run_in_child(read, limits_for_file(scene_file), file);

@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "core/image_codec.hpp"
+#include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
+#include "core/read_scope.hpp"
 #include "scene/gltf/data.hpp"
 
 namespace estampe::gltf {
@@ -54,7 +56,10 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
     std::vector<std::future<void>> helpers;
     try {
         for (size_t i = 1; i < threads; ++i) {
-            helpers.push_back(std::async(launch_if_possible, loop));
+            helpers.push_back(std::async(launch_if_possible, [&loop, given = JobLimits::of_thread()] {
+                const JobLimits limits(given);
+                loop();
+            }));
         }
         for (size_t i = next++; i < count; i = next++) {
             work(i);
@@ -162,6 +167,8 @@ TextureTable::Decoded TextureTable::decode_one(int image) const
         decoded.image = decode_image(bytes, name);
     } catch (const std::bad_alloc&) {
         throw; // Another picture for want of memory would be wrong
+    } catch (const OutsideScope& error) {
+        decoded.refusal = error.what();
     } catch (const std::exception& error) {
         decoded.failure = fmt::format("{}; drawn without it", error.what());
         decoded.image = white_pixel();
@@ -217,6 +224,9 @@ std::vector<Texture> TextureTable::decode(std::vector<std::string>& missing_file
 {
     std::map<int, Decoded> decoded = decode_all();
     for (const auto& [image, result] : decoded) {
+        if (!result.refusal.empty()) {
+            data_.fail(fmt::format("/images/{}/uri", image), result.refusal);
+        }
         if (!result.failure.empty()) {
             data_.warn(fmt::format("/images/{}", image), result.failure);
         }

@@ -16,6 +16,7 @@
 #include <estampe/error.hpp>
 
 #include "core/long_jobs.hpp"
+#include "core/read_scope.hpp"
 
 namespace estampe {
 
@@ -52,9 +53,9 @@ constexpr uint32_t replacement = 0xFFFD; ///< Unicode replacement character for 
 
 } // namespace
 
-Input::Input(const std::filesystem::path& path) : name_(path.string())
+Input::Input(const std::filesystem::path& path, const ReadScope& scope) : name_(path.string())
 {
-    descriptor_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    descriptor_ = open_to_read(path, scope, O_RDONLY | O_NONBLOCK);
     if (descriptor_ < 0) {
         const int reason = errno;
         throw Error(reason == ENOENT

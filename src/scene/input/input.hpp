@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
 #include <estampe/scene.hpp>
 
 namespace estampe {
@@ -127,8 +128,8 @@ private:
 class Input {
 public:
     /// Opens a regular file. Throws Error naming the file when it is missing, empty, a folder, a pipe or a
-    /// device.
-    explicit Input(const std::filesystem::path& path);
+    /// device, or lies outside of `scope`.
+    explicit Input(const std::filesystem::path& path, const ReadScope& scope = {});
 
     /// Reads from `bytes`, which must outlive this object. `name` is the name of the file in messages.
     Input(std::span<const std::byte> bytes, std::string name);

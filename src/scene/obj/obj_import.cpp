@@ -208,7 +208,7 @@ void add_default_material(obj::Data& data, const glm::vec3& color, Scene& scene)
                                .double_sided = true});
 }
 
-Scene import(Input& input, const std::filesystem::path* path)
+Scene import(Input& input, const std::filesystem::path* path, const ReadScope& scope)
 {
     obj::Data data = obj::parse(input);
     Scene scene;
@@ -224,7 +224,7 @@ Scene import(Input& input, const std::filesystem::path* path)
     const glm::vec3 default_color(data.colors.empty() ? grey : 1.0F);
     obj::read_materials(path != nullptr ? *path : name,
                         path != nullptr ? data.libraries : std::vector<std::string>{}, data.materials,
-                        default_color, scene);
+                        default_color, scope, scene);
     add_default_material(data, default_color, scene);
     add_meshes(data, scene, name.filename().string());
     data = {};
@@ -234,16 +234,16 @@ Scene import(Input& input, const std::filesystem::path* path)
 
 } // namespace
 
-Scene load_obj(const std::filesystem::path& path)
+Scene load_obj(const std::filesystem::path& path, const ReadScope& scope)
 {
-    Input input(path);
-    return within_memory(input.name(), [&] { return import(input, &path); });
+    Input input(path, scope);
+    return within_memory(input.name(), [&] { return import(input, &path, scope); });
 }
 
 Scene load_obj_bytes(std::span<const std::byte> bytes, const std::string& name)
 {
     Input input(bytes, name);
-    return within_memory(name, [&] { return import(input, nullptr); });
+    return within_memory(name, [&] { return import(input, nullptr, {}); });
 }
 
 } // namespace estampe

@@ -18,6 +18,7 @@
 
 #include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
+#include "core/read_scope.hpp"
 #include "scene/input/input.hpp"
 #include "scene/pictures/picture_files.hpp"
 
@@ -189,7 +190,9 @@ Textures::Picture& Textures::decoded(const std::string& name, FileFinder& finder
             if (place.empty())
                 throw Error("no such file", name, "put the picture beside the scene's file");
             scene_.files.emplace_back(place);
-            known->second.image = read_image(place);
+            known->second.image = read_image(place, finder.scope());
+        } catch (const OutsideScope&) {
+            throw;
         } catch (const Error& error) {
             scene_.warnings.push_back(fmt::format("texture left white: {}", error.what()));
         }
@@ -295,8 +298,8 @@ std::vector<std::string> words_of(std::string_view line)
 /// Finds the material libraries that an OBJ file names.
 class Libraries {
 public:
-    Libraries(const std::filesystem::path& file, Scene& scene)
-        : file_(file), scene_(scene), finder_({file.parent_path()})
+    Libraries(const std::filesystem::path& file, const ReadScope& scope, Scene& scene)
+        : file_(file), scene_(scene), finder_({file.parent_path()}, scope)
     {
     }
 
@@ -407,13 +410,16 @@ Material material_of(const MtlMaterial& source, const glm::vec3& default_color, 
     return material;
 }
 
-std::vector<MtlMaterial> parsed(const std::filesystem::path& library, std::vector<std::string>& warnings)
+std::vector<MtlMaterial> parsed(const std::filesystem::path& library, const ReadScope& scope,
+                                std::vector<std::string>& warnings)
 {
     try {
-        Input input(library);
+        Input input(library, scope);
         if (input.size() > most_library_bytes)
             throw Error("is too long for a material library", library.string());
         return parse_mtl(input);
+    } catch (const OutsideScope&) {
+        throw;
     } catch (const Error& error) {
         warnings.push_back(fmt::format("materials are drawn grey: {}", error.what()));
         return {};
@@ -435,10 +441,11 @@ void warn_of_missing(const std::vector<std::string>& missing, std::vector<std::s
 } // namespace
 
 void read_materials(const std::filesystem::path& file, const std::vector<std::string>& libraries,
-                    const std::vector<std::string>& used, const glm::vec3& default_color, Scene& scene)
+                    const std::vector<std::string>& used, const glm::vec3& default_color,
+                    const ReadScope& scope, Scene& scene)
 {
     const size_t warned = scene.warnings.size();
-    const std::vector<std::filesystem::path> found = Libraries(file, scene).find(libraries);
+    const std::vector<std::filesystem::path> found = Libraries(file, scope, scene).find(libraries);
     const bool lacks_library = scene.warnings.size() > warned;
     std::unordered_map<std::string, size_t> place_of_name;
     for (const std::string& name : used) {
@@ -451,8 +458,8 @@ void read_materials(const std::filesystem::path& file, const std::vector<std::st
     std::vector<bool> is_known(used.size(), false);
     Textures textures(scene);
     for (const std::filesystem::path& library : found) {
-        FileFinder finder({library.parent_path(), file.parent_path()});
-        for (const MtlMaterial& source : parsed(library, scene.warnings)) {
+        FileFinder finder({library.parent_path(), file.parent_path()}, scope);
+        for (const MtlMaterial& source : parsed(library, scope, scene.warnings)) {
             const auto [place, is_new] = place_of_name.try_emplace(source.name, scene.materials.size());
             // If several libraries define a material with the same name, the first definition is used.
             if (!is_new && (place->second >= is_known.size() || is_known[place->second]))

@@ -49,8 +49,10 @@ struct MtlMaterial {
 /// name the missing files and materials. Missing materials are grey.
 ///
 /// `libraries` are the arguments of the `mtllib` lines. Each argument is one file name with blanks, or
-/// several names. `default_color` is the colour of materials that specify none.
+/// several names. `default_color` is the colour of materials that specify none. Throws OutsideScope
+/// for a library or picture outside of `scope`.
 void read_materials(const std::filesystem::path& file, const std::vector<std::string>& libraries,
-                    const std::vector<std::string>& used, const glm::vec3& default_color, Scene& scene);
+                    const std::vector<std::string>& used, const glm::vec3& default_color,
+                    const ReadScope& scope, Scene& scene);
 
 } // namespace estampe::obj

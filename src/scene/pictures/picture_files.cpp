@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <map>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
 
 #include "core/image_codec.hpp"
+#include "core/read_scope.hpp"
 #include "core/text.hpp"
 
 namespace estampe {
@@ -77,18 +82,24 @@ SplitPath split(std::string_view name)
     return split;
 }
 
-bool is_usable_file(const std::filesystem::path& path)
-{
-    std::error_code failed;
-    if (!std::filesystem::is_regular_file(path, failed) || failed)
-        return false;
-    const uintmax_t size = std::filesystem::file_size(path, failed);
-    return !failed && size > 0;
-}
-
 } // namespace
 
-FileFinder::FileFinder(const std::vector<std::filesystem::path>& folders)
+bool FileFinder::is_usable_file(const std::filesystem::path& path) const
+{
+    // Within a limited scope the file is opened, so that nothing is learnt about files behind links.
+    const int file = open_to_read(path, scope_, O_PATH);
+    if (file < 0)
+        return false;
+
+    struct stat status {};
+
+    const bool is_known = fstat(file, &status) == 0;
+    close(file);
+    return is_known && S_ISREG(status.st_mode) && status.st_size > 0;
+}
+
+FileFinder::FileFinder(const std::vector<std::filesystem::path>& folders, ReadScope scope)
+    : scope_(std::move(scope))
 {
     for (const std::filesystem::path& folder : folders)
         add_folder(folder);
@@ -117,13 +128,17 @@ std::optional<std::filesystem::path> FileFinder::find(std::string_view name)
 std::optional<std::filesystem::path> FileFinder::find_spelled(std::string_view name)
 {
     const SplitPath path = split(name);
+    if (scope_.is_limited() && leads_upwards(name))
+        fail_outside(name, scope_, std::string(name));
     if (path.parts.empty() || path.parts.back() == "..")
         return std::nullopt;
     const size_t count = path.parts.size();
     // Searches every folder for the full path first, then for shorter and shorter ends of the path. A short
     // end may match a wrong file.
     for (size_t first = count > most_parts ? count - most_parts : 0; first < count; ++first) {
-        if (path.is_absolute && path.parts[first] == "..")
+        // An end of an absolute path is searched for only below the folders.
+        const auto end = path.parts.begin() + static_cast<std::ptrdiff_t>(first);
+        if (path.is_absolute && std::find(end, path.parts.end(), "..") != path.parts.end())
             continue;
         for (const std::filesystem::path& folder : folders_)
             if (std::optional<std::filesystem::path> found = resolve(folder, path.parts, first))
@@ -156,6 +171,11 @@ std::optional<std::string> FileFinder::actual_name(const std::filesystem::path& 
     const auto [listing, is_new] = listings_.try_emplace(folder);
     if (is_new) {
         std::error_code failed;
+        // A folder behind a link is not listed, so that its names are not revealed.
+        const int opened = open_to_read(folder, scope_, O_PATH | O_DIRECTORY);
+        if (opened < 0)
+            return std::nullopt;
+        close(opened);
         std::filesystem::directory_iterator entries(folder, failed);
         for (size_t count = 0;
              !failed && entries != std::filesystem::directory_iterator() && count < most_listed; ++count) {
@@ -206,7 +226,9 @@ void load_pictures(Scene& scene, const std::vector<ImageSource>& sources, FileFi
             const auto [known, is_new] = texture_of_file.emplace(file, i);
             if (is_new)
                 scene.files.push_back(file);
-            image = is_new ? read_image(file) : scene.textures[known->second].image;
+            image = is_new ? read_image(file, finder.scope()) : scene.textures[known->second].image;
+        } catch (const OutsideScope&) {
+            throw;
         } catch (const Error& error) {
             scene.warnings.push_back(fmt::format("texture left white: {}", error.what()));
             image = {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
 #include <estampe/scene.hpp>
 
 namespace estampe {
@@ -27,9 +28,13 @@ namespace estampe {
 class FileFinder {
 public:
     /// `folders` are searched in this order. An empty path means the current folder.
-    explicit FileFinder(const std::vector<std::filesystem::path>& folders);
+    explicit FileFinder(const std::vector<std::filesystem::path>& folders, ReadScope scope = {});
 
-    /// Returns the path of the file; nothing if no folder contains it.
+    /// Files outside of this scope are refused.
+    [[nodiscard]] const ReadScope& scope() const { return scope_; }
+
+    /// Returns the path of the file; nothing if no folder contains it. Throws OutsideScope if the scope is
+    /// limited and the name leads out of it, by ".." or by a symbolic link.
     [[nodiscard]] std::optional<std::filesystem::path> find(std::string_view name);
 
     /// Appends `folder` to the folders that are searched. Does nothing if it is in the list already.
@@ -38,6 +43,8 @@ public:
 private:
     using Names = std::vector<std::string>;
 
+    [[nodiscard]] bool is_usable_file(const std::filesystem::path& path) const;
+
     [[nodiscard]] std::optional<std::filesystem::path> find_spelled(std::string_view name);
     [[nodiscard]] std::optional<std::filesystem::path> resolve(const std::filesystem::path& folder,
                                                                const Names& parts, size_t first);
@@ -45,6 +52,7 @@ private:
                                                          const std::string& name);
 
     std::vector<std::filesystem::path> folders_;
+    ReadScope scope_;
     std::map<std::filesystem::path, std::map<std::string, std::string>> listings_;
 };
 
@@ -56,7 +64,8 @@ struct ImageSource {
 
 /// Reads the pictures of all textures of the scene. `sources` has one entry per texture. A texture that
 /// already has a picture is not changed. A picture that cannot be found or decoded becomes one white pixel,
-/// and a warning names it. A file that several textures use is decoded once.
+/// and a warning names it. A file that several textures use is decoded once. Throws OutsideScope for a
+/// picture outside of the scope of `finder`.
 void load_pictures(Scene& scene, const std::vector<ImageSource>& sources, FileFinder& finder);
 
 } // namespace estampe

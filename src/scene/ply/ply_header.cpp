@@ -62,6 +62,8 @@ public:
     }
 
 private:
+    /// Throws Error for the line that was read last. The message quotes nothing, because a file with the
+    /// ending of PLY may be anything.
     [[noreturn]] void refuse(const std::string& what) const
     {
         throw Error(what, fmt::format("{}:{}", input_.name(), line_number_), "check that the file is whole");
@@ -111,7 +113,7 @@ private:
         else if (keyword == "comment" && lower_case(words.word()) == "texturefile")
             header_.texture_files.emplace_back(words.rest());
         else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
-            refuse(fmt::format("\"{}\" is no line of a header", line_.substr(0, 80)));
+            refuse("the line is none of a header");
     }
 
     void read_format(Scanner& words)
@@ -124,7 +126,7 @@ private:
         else if (name == "binary_big_endian")
             header_.format = Format::big_endian;
         else
-            refuse(fmt::format("\"{}\" is no known format", line_.substr(0, 80)));
+            refuse("the line names no known format");
         has_format_ = true;
     }
 
@@ -134,7 +136,7 @@ private:
         element.name = lower_case(words.word());
         const auto count = number_from<decltype(element.count)>(words.word());
         if (element.name.empty() || !count)
-            refuse(fmt::format("\"{}\" has no usable count", line_.substr(0, 80)));
+            refuse("the line has no usable count");
         element.count = *count;
     }
 
@@ -147,12 +149,12 @@ private:
         if (lower_case(word) == "list") {
             property.length_type = type_of(words.word());
             if (!property.length_type || *property.length_type >= Type::float32)
-                refuse(fmt::format("\"{}\" has no usable type of its length", line_.substr(0, 80)));
+                refuse("the line has no usable type of its length");
             word = words.word();
         }
         const std::optional<Type> type = type_of(word);
         if (!type)
-            refuse(fmt::format("\"{}\" has no known type", line_.substr(0, 80)));
+            refuse("the line has no known type");
         property.type = *type;
         property.name = lower_case(words.rest());
         header_.elements.back().properties.push_back(std::move(property));

@@ -111,7 +111,7 @@ void add_materials(const std::vector<std::string>& texture_files, Scene& scene)
     }
 }
 
-Scene import(Input& input, const std::filesystem::path* path)
+Scene import(Input& input, const std::filesystem::path* path, const ReadScope& scope)
 {
     ply::Data data = ply::parse(input);
     Scene scene;
@@ -136,24 +136,24 @@ Scene import(Input& input, const std::filesystem::path* path)
     std::vector<ImageSource> sources;
     for (const Texture& texture : scene.textures)
         sources.push_back({.file = texture.name, .bytes = {}});
-    FileFinder finder(path != nullptr ? std::vector{path->parent_path()}
-                                      : std::vector<std::filesystem::path>{});
+    FileFinder finder(
+        path != nullptr ? std::vector{path->parent_path()} : std::vector<std::filesystem::path>{}, scope);
     load_pictures(scene, sources, finder);
     return scene;
 }
 
 } // namespace
 
-Scene load_ply(const std::filesystem::path& path)
+Scene load_ply(const std::filesystem::path& path, const ReadScope& scope)
 {
-    Input input(path);
-    return within_memory(input.name(), [&] { return import(input, &path); });
+    Input input(path, scope);
+    return within_memory(input.name(), [&] { return import(input, &path, scope); });
 }
 
 Scene load_ply_bytes(std::span<const std::byte> bytes, const std::string& name)
 {
     Input input(bytes, name);
-    return within_memory(name, [&] { return import(input, nullptr); });
+    return within_memory(name, [&] { return import(input, nullptr, {}); });
 }
 
 } // namespace estampe

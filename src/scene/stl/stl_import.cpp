@@ -190,7 +190,7 @@ private:
             return false;
         } else if (!is_word(word, "normal") && !is_word(word, "outer") && !is_word(word, "loop") &&
                    !is_word(word, "endloop")) {
-            return note_unread(word);
+            return note_unread();
         } else if (is_word(word, "normal")) {
             double number = 0.0;
             for (int i = 0; i < 3; ++i)
@@ -199,10 +199,10 @@ private:
         return true;
     }
 
-    bool note_unread(std::string_view word)
+    bool note_unread()
     {
         if (unread_ == 0)
-            first_unread_ = fmt::format("\"{}\" in line {}", word.substr(0, 40), input_.line_number());
+            first_unread_line_ = input_.line_number();
         ++unread_;
         return false;
     }
@@ -257,8 +257,9 @@ private:
             data_.warnings.push_back(
                 fmt::format("{} facets left out: they have fewer than three corners", bad_facets_));
         if (unread_ > 0)
-            data_.warnings.push_back(fmt::format("{} words are not STL, the first of them {}: passed over",
-                                                 unread_, first_unread_));
+            data_.warnings.push_back(
+                fmt::format("{} words are not STL, the first of them in line {}: passed over", unread_,
+                            first_unread_line_));
         std::erase_if(data_.solids, [](const Solid& solid) { return solid.positions.empty(); });
     }
 
@@ -268,7 +269,7 @@ private:
     uint64_t bad_vertices_ = 0; ///< number of invalid vertices in the current facet
     uint64_t bad_facets_ = 0;
     uint64_t unread_ = 0;
-    std::string first_unread_;
+    uint64_t first_unread_line_ = 0;
     bool is_complete_ = true; ///< the current facet has ended
     bool is_in_solid_ = false;
 };
@@ -433,9 +434,9 @@ Scene import(Input& input)
 
 } // namespace
 
-Scene load_stl(const std::filesystem::path& path)
+Scene load_stl(const std::filesystem::path& path, const ReadScope& scope)
 {
-    Input input(path);
+    Input input(path, scope);
     return within_memory(input.name(), [&] { return import(input); });
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
+
 #include "gpu/execution_profile.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
@@ -68,6 +70,7 @@ struct ContourStyle {
     float clump_mm = 2.0F;
     float depth_step = 1.0F;
     std::string brush = "pen";
+    ReadScope scope; ///< Limits the files that the style may name; no parameter
     BrushFit brush_fit = BrushFit::repeat;
     float brush_mm = 0.0F;
     Joints joints = Joints::round;

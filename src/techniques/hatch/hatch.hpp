@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
+
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
 #include "shaders/stroke_kind.glsl.h"
@@ -99,6 +101,7 @@ struct HatchStyle {
     float group_area_mm2 = 3.0F;
     float group_smooth_mm = 1.0F;
     std::string map;
+    ReadScope scope; ///< Limits the files that the style may name; no parameter
     MapTone map_tone = MapTone::order;
     float map_contrast = 12.0F;
     float map_texel_mm = 0.13F;

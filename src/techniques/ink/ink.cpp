@@ -312,7 +312,7 @@ void Memory::ensure(gpu::Device& device, const InkStyle& style, const Plan& plan
     const bool has_map = (plan.variant & shared::ink_has_map) != 0;
     const bool has_picture = has_map && !style.flow_map.empty();
     if (has_picture && (map_file_ != style.flow_map || map_page_mm_ != plan.globals.page_mm)) {
-        map_stream_ = stream_of_flow(read_flow(style.flow_map), plan.globals.page_mm);
+        map_stream_ = stream_of_flow(read_flow(style.flow_map, style.scope), plan.globals.page_mm);
         map_file_ = style.flow_map;
         map_page_mm_ = plan.globals.page_mm;
         holds_picture_ = false;

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <estampe/read_scope.hpp>
+
 #include "shaders/shared.hpp"
 #include "style/parameter.hpp"
 
@@ -49,6 +51,7 @@ struct InkStyle {
     Solver solver = Solver::automatic;
     uint32_t jacobi_passes = 80;
     std::string flow_map;
+    ReadScope scope; ///< Limits the files that the style may name; no parameter
     float flow_mm_per_s = 15.0F;
     float drag = 0.5F;
     ZoneStyle zone; ///< default settings of every zone

@@ -69,9 +69,9 @@ uint8_t byte_of(double component)
     return static_cast<uint8_t>(std::lround(127.5 * (component + 1.0)));
 }
 
-HeightMap decode_height_map(const std::filesystem::path& path)
+HeightMap decode_height_map(const std::filesystem::path& path, const ReadScope& scope)
 {
-    const std::vector<std::byte> bytes = read_file(path);
+    const std::vector<std::byte> bytes = read_file(path, any_length, scope);
     if (const std::optional<DeepImage> deep = decode_deep_image(bytes, path.string())) {
         return heights_of<uint16_t>(deep->width, deep->height, deep->rgba, 65535);
     }
@@ -88,10 +88,10 @@ auto members(T& map)
     return std::tie(width, height, heights, steps);
 }
 
-HeightMap load_height_map(const std::filesystem::path& path)
+HeightMap load_height_map(const std::filesystem::path& path, const ReadScope& scope)
 {
     HeightMap map =
-        run_in_child([&path] { return decode_height_map(path); }, limits_for_file(path), path.string());
+        run_in_child([&] { return decode_height_map(path, scope); }, limits_for_file(path), path.string());
     if (map.heights.empty() || map.heights.size() != uint64_t{map.width} * map.height) {
         throw Error("what was read from it came back damaged", path.string());
     }

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <estampe/read_scope.hpp>
+
 #include "style/parameter.hpp"
 #include "style/wind.hpp"
 
@@ -25,6 +27,7 @@ struct ParticleStyle {
     float size_m = 0.5F;
     float grown_m = 2.2F;
     std::string sheet;
+    ReadScope scope; ///< Limits the files that the style may name; no parameter
     int rows = 1;
     int columns = 1;
     glm::vec3 color = style::srgb(0xf4efe4);

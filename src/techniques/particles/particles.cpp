@@ -216,9 +216,9 @@ void list_sprites(ParticlePlan& plan, glm::uvec2 tiles)
     }
 }
 
-SheetImage read_sheet(const std::string& path, glm::uvec2 frames)
+SheetImage read_sheet(const std::string& path, glm::uvec2 frames, const ReadScope& scope)
 {
-    const Image picture = load_image(path);
+    const Image picture = load_image(path, scope);
     SheetImage sheet{.size_px = {picture.width, picture.height}, .frames = frames, .brightness = {}};
     if (glm::any(glm::lessThan(sheet.size_px, frames))) {
         throw Error(fmt::format("a sheet of {} x {} pixels cannot have {} columns and {} rows",
@@ -305,7 +305,7 @@ void Sheet::ensure(gpu::Device& device, const ParticleStyle& style,
     }
     const SheetImage image = style.sheet.empty()      ? SheetImage()
                              : style.sheet == "smoke" ? simulate()
-                                                      : read_sheet(style.sheet, asked_frames);
+                                                      : read_sheet(style.sheet, asked_frames, style.scope);
     texels_ = gpu::Buffer(device, "particle sheet", sizeof(float) * image.brightness.size(),
                           gpu::MemoryUse::upload);
     std::ranges::copy(std::as_bytes(std::span(image.brightness)), texels_.mapped().begin());

@@ -56,7 +56,7 @@ std::vector<std::filesystem::path> Terrain::files() const
     std::vector<std::filesystem::path> files;
     for (const terrain::HeightTexture& texture : program_->textures) {
         if (!texture.is_mask && !texture.sand) {
-            files.push_back(description_->folder / texture.name);
+            files.push_back(terrain::texture_path(*description_, texture.name));
         }
     }
     return files;

@@ -228,12 +228,14 @@ TerrainDescription parse_terrain(std::string_view text, const std::string& name,
     return result;
 }
 
-TerrainDescription load_terrain(const std::filesystem::path& path)
+TerrainDescription load_terrain(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 20;
-    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes, scope);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    return parse_terrain(text, path.string(), path.parent_path());
+    TerrainDescription terrain = parse_terrain(text, path.string(), path.parent_path());
+    terrain.scope = scope;
+    return terrain;
 }
 
 std::string terrain_toml(const TerrainDescription& terrain)

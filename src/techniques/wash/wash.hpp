@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
@@ -35,6 +37,7 @@ struct WashStyle {
     glm::vec3 spot_color = style::srgb(0xe05a4f);
     /// `shade_of_material`, `no_shade`, or the path of a picture.
     std::string shade_texture = shade_of_material;
+    ReadScope scope; ///< Limits the files that the style may name; no parameter
     ShadeStep shade_step = ShadeStep::material;
     float air = 0.0F; ///< strength of the tint of distant colours; value of the style's key haze.tint
     /// Colour of the air that tints distant surfaces; value of haze.tint_color.

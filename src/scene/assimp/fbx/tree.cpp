@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cstring>
-#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +12,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/file.hpp"
 #include "core/text.hpp"
 
 namespace estampe::fbx {
@@ -357,14 +357,12 @@ Tree read_tree(std::span<const char> file)
     return tree;
 }
 
-void check_version(const std::filesystem::path& path)
+void check_version(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint32_t oldest = 7100;
-    std::vector<char> head(8192);
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<size_t>(file.gcount()));
-    const uint32_t version = file_version(head);
+    constexpr uint64_t head_bytes = 8192;
+    const std::vector<std::byte> head = read_file_start(path, head_bytes, scope);
+    const uint32_t version = file_version({reinterpret_cast<const char*>(head.data()), head.size()});
     if (version == 0 || version >= oldest)
         return;
     throw Error(fmt::format("is FBX {}.{}, a version of 2010 or before; FBX 7.1 (2011) and later are read",

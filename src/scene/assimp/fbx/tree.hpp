@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include <estampe/read_scope.hpp>
+
 namespace estampe::fbx {
 
 using Value = std::variant<int64_t, double, std::string>;
@@ -40,6 +42,6 @@ struct Tree {
 [[nodiscard]] Tree read_tree(std::span<const char> file);
 
 /// Throws Error naming the file if the FBX version is below 7.1, because older files have another structure.
-void check_version(const std::filesystem::path& path);
+void check_version(const std::filesystem::path& path, const ReadScope& scope = {});
 
 } // namespace estampe::fbx

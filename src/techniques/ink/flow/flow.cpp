@@ -131,9 +131,9 @@ glm::vec2 wind_mm_per_s(const InkStyle& style)
 
 // Flow maps (pictures of velocities), and the stream functions that are fitted to them.
 
-std::vector<glm::vec2> read_flow(const std::string& path)
+std::vector<glm::vec2> read_flow(const std::string& path, const ReadScope& scope)
 {
-    const Image picture = load_image(path);
+    const Image picture = load_image(path, scope);
     constexpr uint32_t side = shared::ink_map_side;
     std::vector<glm::vec2> velocities;
     velocities.reserve(size_t{side} * side);

@@ -39,8 +39,8 @@ using Waves = std::array<Wave, shared::ink_wave_count>;
 
 /// Reads the velocities of a flow map picture, `shared::ink_map_side` rows and columns, row by row. Red is
 ///       the speed to the right, green the speed down; a channel's middle value means no flow. Throws Error
-///       with the file's name if the file is no picture.
-[[nodiscard]] std::vector<glm::vec2> read_flow(const std::string& path);
+///       with the file's name if the file is no picture or lies outside of `scope`.
+[[nodiscard]] std::vector<glm::vec2> read_flow(const std::string& path, const ReadScope& scope = {});
 
 /// Fits a stream function at the nodes of `velocities`, so that the function's flow on a page of `page_mm` is
 /// nearest to the velocities. The divergent part of the velocities is lost. Cost: some milliseconds.

@@ -3,15 +3,21 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <map>
 #include <optional>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
 
 #include <estampe/error.hpp>
-#include <fmt/format.h>
-#include <unistd.h>
 
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
+#include "core/read_scope.hpp"
 #include "techniques/tam/painted/painted_strokes.hpp"
 
 namespace estampe::tam {
@@ -78,7 +84,7 @@ Placed placed_files(const fs::path& folder, const std::string& extension)
     return placed;
 }
 
-PaintedMap read_png_folder(const fs::path& folder, const Placed& files)
+PaintedMap read_png_folder(const fs::path& folder, const Placed& files, const ReadScope& scope)
 {
     std::vector<std::vector<Gray8>> level_of_tone;
     std::optional<size_t> tone;
@@ -93,7 +99,7 @@ PaintedMap read_png_folder(const fs::path& folder, const Placed& files)
             throw Error(fmt::format("level {} of this tone is missing", levels.size()), file.string(),
                         "levels count from 0, the finest, without a gap");
         }
-        Square square = decode_square(read_file(file, max_image_bytes), file.string());
+        Square square = decode_square(read_file(file, max_image_bytes, scope), file.string());
         size_px = size_px == 0 ? square.size_px : size_px;
         if (levels.size() >= level_count(size_px) || square.size_px != size_px >> levels.size()) {
             throw Error(
@@ -104,7 +110,7 @@ PaintedMap read_png_folder(const fs::path& folder, const Placed& files)
     }
     std::vector<float> darkness;
     if (const fs::path manifest = folder / manifest_name; fs::exists(manifest)) {
-        const std::vector<std::byte> text = read_file(manifest, uint64_t{1} << 16);
+        const std::vector<std::byte> text = read_file(manifest, uint64_t{1} << 16, scope);
         darkness = parse_manifest(std::string(reinterpret_cast<const char*>(text.data()), text.size()),
                                   manifest.string())
                        .darkness;
@@ -112,12 +118,12 @@ PaintedMap read_png_folder(const fs::path& folder, const Placed& files)
     return complete_map(std::move(level_of_tone), size_px, std::move(darkness), folder.string());
 }
 
-PaintedMap read_dds_folder(const fs::path& folder, const Placed& files)
+PaintedMap read_dds_folder(const fs::path& folder, const Placed& files, const ReadScope& scope)
 {
     std::vector<std::vector<Gray8>> level_of_tone;
     uint32_t size_px = 0;
     for (const auto& [place, file] : files) {
-        DdsImages images = decode_dds(read_file(file, max_image_bytes), file.string());
+        DdsImages images = decode_dds(read_file(file, max_image_bytes, scope), file.string());
         size_px = size_px == 0 ? images.size_px : size_px;
         if (images.level_of_layer.size() != 1 || images.size_px != size_px) {
             throw Error(fmt::format("has {} layers of {} px", images.level_of_layer.size(), images.size_px),
@@ -128,15 +134,28 @@ PaintedMap read_dds_folder(const fs::path& folder, const Placed& files)
     return complete_map(std::move(level_of_tone), size_px, {}, folder.string());
 }
 
-PaintedMap read_folder(const fs::path& folder)
+/// Throws Error if the folder cannot be read or lies outside of `scope`.
+void check_folder(const fs::path& folder, const ReadScope& scope)
 {
+    const int opened = open_to_read(folder, scope, O_RDONLY | O_DIRECTORY);
+    if (opened < 0) {
+        throw Error(fmt::format("cannot read this folder: {}", std::generic_category().message(errno)),
+                    folder.string());
+    }
+    close(opened);
+}
+
+PaintedMap read_folder(const fs::path& folder, const ReadScope& scope)
+{
+    check_folder(folder, scope);
     const Placed pictures = placed_files(folder, ".png");
     const Placed textures = placed_files(folder, ".dds");
     if (pictures.empty() == textures.empty()) {
         throw Error(pictures.empty() ? "holds no PNG or DDS files" : "holds both PNG and DDS files",
                     folder.string(), naming);
     }
-    return pictures.empty() ? read_dds_folder(folder, textures) : read_png_folder(folder, pictures);
+    return pictures.empty() ? read_dds_folder(folder, textures, scope)
+                            : read_png_folder(folder, pictures, scope);
 }
 
 /// Adds to each tone the ink of all lighter tones, so that a darker tone never has less ink at any texel.
@@ -235,20 +254,20 @@ PaintedMap complete_map(std::vector<std::vector<Gray8>> level_of_tone, uint32_t 
     return painted;
 }
 
-PaintedMap read_map(const fs::path& path)
+PaintedMap read_map(const fs::path& path, const ReadScope& scope)
 {
     constexpr uint64_t max_file_bytes = uint64_t{1} << 29;
     if (fs::is_directory(path)) {
-        return read_folder(path);
+        return read_folder(path, scope);
     }
     if (lower_extension(path) == ".tam") {
-        return {load_tam(path), {}};
+        return {load_tam(path, scope), {}};
     }
     if (lower_extension(path) == ".dds") {
-        DdsImages images = decode_dds(read_file(path, max_file_bytes), path.string());
+        DdsImages images = decode_dds(read_file(path, max_file_bytes, scope), path.string());
         return complete_map(std::move(images.level_of_layer), images.size_px, {}, path.string());
     }
-    static_cast<void>(read_file(path, max_file_bytes)); // throws an Error if the file does not exist
+    static_cast<void>(read_file(path, max_file_bytes, scope)); // throws an Error if the file does not exist
     throw Error("is no tonal art map", path.string(), "give a folder of PNG files, a .dds or a .tam file");
 }
 

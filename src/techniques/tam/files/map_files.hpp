@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <estampe/image.hpp>
+#include <estampe/read_scope.hpp>
 
 #include "techniques/tam/tonal_art_map.hpp"
 
@@ -18,7 +19,7 @@ namespace estampe::tam {
 using estampe::PaintedMap;
 
 /// Implements estampe::load_tonal_art_map(). Levels that the files lack are derived, see painted_strokes.hpp.
-[[nodiscard]] PaintedMap read_map(const std::filesystem::path& path);
+[[nodiscard]] PaintedMap read_map(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Implements estampe::is_map_folder().
 [[nodiscard]] bool is_folder_name(const std::filesystem::path& path);
@@ -49,7 +50,7 @@ void write_map(const TonalArtMap& map, const std::filesystem::path& path);
 /// Saves a map as a `.tam` file: writes a temporary file beside `path`, then renames it. Throws Error.
 void save_tam(const TonalArtMap& map, const std::filesystem::path& path);
 
-[[nodiscard]] TonalArtMap load_tam(const std::filesystem::path& path);
+[[nodiscard]] TonalArtMap load_tam(const std::filesystem::path& path, const ReadScope& scope = {});
 
 [[nodiscard]] std::string manifest_of(const TonalArtMap& map);
 

@@ -326,9 +326,9 @@ void save_tam(const TonalArtMap& map, const std::filesystem::path& path)
     write_file_atomically(path, encode_tam(map));
 }
 
-TonalArtMap load_tam(const std::filesystem::path& path)
+TonalArtMap load_tam(const std::filesystem::path& path, const ReadScope& scope)
 {
-    return decode_tam(read_file(path, max_file_bytes), path.string());
+    return decode_tam(read_file(path, max_file_bytes, scope), path.string());
 }
 
 } // namespace estampe::tam

@@ -401,7 +401,7 @@ private:
         }
         const TextureInProgram found = [&] {
             try {
-                return texture_in(program_, request, terrain_.folder);
+                return texture_in(program_, request, terrain_);
             } catch (const Error& error) {
                 fail(at, error.what());
             }
@@ -439,7 +439,7 @@ private:
                                            .start_steps = arguments.number("start"),
                                            .steps_per_s = arguments.number("rate"),
                                            .seed = static_cast<uint32_t>(arguments.number("seed"))}},
-                       terrain_.folder);
+                       terrain_);
         const HeightTexture& held = program_.textures[found.index];
         Instruction instruction = blank(shared::height_texture);
         instruction.parameter = parameters({static_cast<double>(held.first_texel), static_cast<double>(side),

@@ -236,10 +236,10 @@ PictureHeights heights_of(const LightImage& image)
     return heights;
 }
 
-PictureHeights decode_heights(const std::filesystem::path& path)
+PictureHeights decode_heights(const std::filesystem::path& path, const ReadScope& scope)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 30;
-    const std::vector<std::byte> bytes = read_file(path, largest_bytes);
+    const std::vector<std::byte> bytes = read_file(path, largest_bytes, scope);
     const std::string name = path.string();
     if (is_exr(bytes)) {
         return heights_of(decode_exr(bytes, name).image);
@@ -248,10 +248,10 @@ PictureHeights decode_heights(const std::filesystem::path& path)
     return deep ? heights_of(*deep) : heights_of(decode_image(bytes, name));
 }
 
-HeightTexture append_file(Program& program, const std::filesystem::path& path)
+HeightTexture append_file(Program& program, const std::filesystem::path& path, const ReadScope& scope)
 {
     const PictureHeights heights =
-        run_in_child([&path] { return decode_heights(path); }, limits_for_file(path), path.string());
+        run_in_child([&] { return decode_heights(path, scope); }, limits_for_file(path), path.string());
     if (heights.texels.empty() || heights.texels.size() != uint64_t{heights.columns} * heights.rows) {
         throw Error("what was read from it came back damaged", path.string());
     }
@@ -262,8 +262,14 @@ HeightTexture append_file(Program& program, const std::filesystem::path& path)
 
 } // namespace
 
+std::filesystem::path texture_path(const TerrainDescription& terrain, const std::string& name)
+{
+    const std::filesystem::path path(name);
+    return terrain.folder / (path.is_absolute() ? path.filename() : path);
+}
+
 TextureInProgram texture_in(Program& program, const TextureRequest& request,
-                            const std::filesystem::path& folder)
+                            const TerrainDescription& terrain)
 {
     const auto is_same = [&](const HeightTexture& texture) {
         return texture.name == request.name && texture.is_mask == request.is_mask &&
@@ -282,7 +288,7 @@ TextureInProgram texture_in(Program& program, const TextureRequest& request,
                        .rows = request.texels,
                        .sand = request.sand};
         } else {
-            texture = append_file(program, folder / request.name);
+            texture = append_file(program, texture_path(terrain, request.name), terrain.scope);
             texture.name = request.name;
         }
         texture.first_texel = first;

@@ -118,10 +118,14 @@ struct TextureInProgram {
 };
 
 /// Finds a texture in `program`, or adds it. Throws Error for a file that cannot be read, for a mask that is
-/// requested in two sizes, and if all textures together have more than 2^24 texels. File names are relative
-/// to `folder`.
+/// requested in two sizes, and if all textures together have more than 2^24 texels. Files are looked up by
+/// texture_path() and lie within `terrain.scope`.
 [[nodiscard]] TextureInProgram texture_in(Program& program, const TextureRequest& request,
-                                          const std::filesystem::path& folder);
+                                          const TerrainDescription& terrain);
+
+/// Returns the path of a texture's file, which is relative to the folder of the terrain's file. An absolute
+/// path comes from another computer: only its file name is looked up in the folder.
+[[nodiscard]] std::filesystem::path texture_path(const TerrainDescription& terrain, const std::string& name);
 
 /// Evaluates a program on the CPU: returns (height, d/dx, d/dz, d/dt) at `local_m`, relative to the origin of
 /// `places`. Leaves out details that are too fine for a grid of `spacing_m`; a spacing of 0 keeps all
