@@ -10,9 +10,30 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "core/child/child.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "techniques/tam/painted/painted_strokes.hpp"
+
+namespace estampe {
+
+// Lists of members, for send() and receive() of core/child/exchange.hpp.
+
+template <Either<TonalArtMap> T>
+auto members(T& map)
+{
+    auto& [size_px, darkness, level_of_tone, threshold_of_level] = map;
+    return std::tie(size_px, darkness, level_of_tone, threshold_of_level);
+}
+
+template <Either<PaintedMap> T>
+auto members(T& painted)
+{
+    auto& [map, warnings] = painted;
+    return std::tie(map, warnings);
+}
+
+} // namespace estampe
 
 namespace estampe::tam {
 namespace {
@@ -235,7 +256,9 @@ PaintedMap complete_map(std::vector<std::vector<Gray8>> level_of_tone, uint32_t 
     return painted;
 }
 
-PaintedMap read_map(const fs::path& path)
+namespace {
+
+PaintedMap decode_map(const fs::path& path)
 {
     constexpr uint64_t max_file_bytes = uint64_t{1} << 29;
     if (fs::is_directory(path)) {
@@ -250,6 +273,16 @@ PaintedMap read_map(const fs::path& path)
     }
     static_cast<void>(read_file(path, max_file_bytes)); // throws an Error if the file does not exist
     throw Error("is no tonal art map", path.string(), "give a folder of PNG files, a .dds or a .tam file");
+}
+
+} // namespace
+
+PaintedMap read_map(const fs::path& path)
+{
+    PaintedMap painted =
+        run_in_child([&path] { return decode_map(path); }, limits_for_file(path), path.string());
+    check_map(painted.map, path.string());
+    return painted;
 }
 
 bool is_folder_name(const fs::path& path)
