@@ -20,6 +20,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/child/child.hpp"
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
@@ -322,10 +323,42 @@ Lightmap baked_lightmap(ExrFile file, const std::filesystem::path& path)
     return map;
 }
 
+namespace {
+
+bool is_well_formed(const LightImage& image)
+{
+    return image.width <= max_image_side && image.height <= max_image_side &&
+           image.texels.size() == size_t{image.width} * image.height;
+}
+
+} // namespace
+
+bool is_well_formed(const Lightmap& map)
+{
+    const auto is_worn_well = [&map](const std::optional<WornPicture>& worn) {
+        return !worn || (worn->picture < map.pictures.size() && worn->uv_set <= 1);
+    };
+    return is_well_formed(map.light) && map.exposure > 0.0F &&
+           static_cast<float>(map.baked_lights) <= most_kinds && map.corners.size() % 3 == 0 &&
+           std::ranges::all_of(
+               map.corners,
+               [](const glm::vec2& corner) { return is_place(corner.x) && is_place(corner.y); }) &&
+           std::ranges::all_of(map.pictures, [](const LightImage& image) { return is_well_formed(image); }) &&
+           std::ranges::all_of(map.of_node, is_worn_well) &&
+           std::ranges::all_of(map.of_material, is_worn_well) && is_worn_well(map.of_scene);
+}
+
 Lightmap load_lightmap(const std::filesystem::path& path, const ReadScope& scope)
 {
-    constexpr uint64_t max_file_bytes = uint64_t{1} << 32;
-    return baked_lightmap(decode_exr(read_file(path, max_file_bytes, scope), path.string()), path);
+    const auto read = [&] {
+        constexpr uint64_t max_file_bytes = uint64_t{1} << 32;
+        return baked_lightmap(decode_exr(read_file(path, max_file_bytes, scope), path.string()), path);
+    };
+    Lightmap map = run_in_child(read, limits_for_file(path), path.string());
+    if (!is_well_formed(map)) {
+        throw Error("what was read from it came back damaged", path.string());
+    }
+    return map;
 }
 
 std::vector<std::byte> encode_motion(const Motion& motion, const std::filesystem::path& path)

@@ -9,11 +9,14 @@
 #include <map>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <estampe/lightmap.hpp>
 #include <estampe/linear_image.hpp>
 #include <estampe/motion.hpp>
+
+#include "core/child/exchange.hpp"
 
 namespace estampe {
 
@@ -58,5 +61,34 @@ struct ExrChannel {
 /// Returns the lightmap in an OpenEXR picture. Throws Error with `path` as its place if the picture is not a
 /// lightmap or is damaged.
 [[nodiscard]] Lightmap baked_lightmap(ExrFile file, const std::filesystem::path& path);
+
+// Lists of members, for send() and receive() of core/child/exchange.hpp.
+
+template <Either<LightImage> T>
+auto members(T& image)
+{
+    auto& [width, height, texels] = image;
+    return std::tie(width, height, texels);
+}
+
+template <Either<WornPicture> T>
+auto members(T& worn)
+{
+    auto& [picture, uv_set, intensity] = worn;
+    return std::tie(picture, uv_set, intensity);
+}
+
+template <Either<Lightmap> T>
+auto members(T& map)
+{
+    auto& [light, corners, geometry, exposure, baked_lights, settings, pictures, of_node, of_material,
+           of_scene] = map;
+    return std::tie(light, corners, geometry, exposure, baked_lights, settings, pictures, of_node,
+                    of_material, of_scene);
+}
+
+/// Returns whether the sizes, indices and texture coordinates of the lightmap are valid. For lightmaps that
+/// come from another process.
+[[nodiscard]] bool is_well_formed(const Lightmap& map);
 
 } // namespace estampe

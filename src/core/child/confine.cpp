@@ -277,7 +277,7 @@ public:
     void add(uint32_t action, const char* call, std::initializer_list<scmp_arg_cmp> arguments = {})
     {
         const int number = seccomp_syscall_resolve_name(call);
-        if (context_ == nullptr || number == __NR_SCMP_ERROR)
+        if (context_ == nullptr || number < 0)
             return;
         const std::vector<scmp_arg_cmp> all(arguments);
         const int failure = seccomp_rule_add_array(context_.get(), action, number,

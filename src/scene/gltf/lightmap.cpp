@@ -15,7 +15,6 @@
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "scene/gltf/extras.hpp"
-#include "scene/reader/members.hpp"
 
 namespace estampe {
 namespace gltf {
@@ -297,32 +296,6 @@ void check_lightmap_extras(Data& data)
 
 } // namespace gltf
 
-namespace {
-
-bool is_well_formed(const LightImage& image)
-{
-    return image.width <= max_image_side && image.height <= max_image_side &&
-           image.texels.size() == size_t{image.width} * image.height;
-}
-
-/// Throws Error unless the lightmap, which comes from a child process, is as NamedMaps makes it.
-void check_received(const Lightmap& map, const std::string& file)
-{
-    const auto is_worn_well = [&](const std::optional<WornPicture>& worn) {
-        return !worn || (worn->picture < map.pictures.size() && worn->uv_set <= 1);
-    };
-    const bool is_whole =
-        is_well_formed(map.light) &&
-        std::ranges::all_of(map.pictures, [](const LightImage& image) { return is_well_formed(image); }) &&
-        std::ranges::all_of(map.of_node, is_worn_well) &&
-        std::ranges::all_of(map.of_material, is_worn_well) && is_worn_well(map.of_scene);
-    if (!is_whole) {
-        throw Error("what was read from it came back damaged", file);
-    }
-}
-
-} // namespace
-
 std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file, const ReadScope& scope)
 {
     const std::string extension = lower_extension(scene_file);
@@ -341,8 +314,8 @@ std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file, 
         return gltf::NamedMaps(data).take();
     };
     std::optional<Lightmap> map = run_in_child(read, limits_for_file(scene_file), file);
-    if (map) {
-        check_received(*map, file);
+    if (map && !is_well_formed(*map)) {
+        throw Error("what was read from it came back damaged", file);
     }
     return map;
 }

@@ -405,6 +405,7 @@ TEST(Crossing, IndicesOutOfRangeAreRefused)
     expect_refused([](Scene& scene) { scene.skins[0].joints[0] = 2; });
     expect_refused([](Scene& scene) { scene.animations[0].channels[0].node = 2; });
     expect_refused([](Scene& scene) { scene.portals[0].from = 1; });
+    expect_refused([](Scene& scene) { scene.portals[0].to = 1; });
     const auto of_primitive = [](const std::function<void(Primitive&)>& damage) {
         expect_refused([&damage](Scene& scene) { damage(scene.meshes[0].primitives[0]); });
     };
@@ -419,21 +420,52 @@ TEST(Crossing, LengthsThatDisagreeAreRefused)
 {
     expect_refused([](Scene& scene) { scene.textures[0].image.rgba.pop_back(); });
     expect_refused([](Scene& scene) { scene.textures[0].image = {}; });
-    expect_refused([](Scene& scene) { scene.materials.clear(); });
+    expect_refused([](Scene& scene) { scene = {}; }); // without any material
     expect_refused([](Scene& scene) { scene.skins[0].joint_from_bind.pop_back(); });
-    expect_refused([](Scene& scene) { scene.animations[0].channels[0].values.pop_back(); });
-    expect_refused([](Scene& scene) { scene.animations[0].channels[0].times_s = {2.0F, 0.0F}; });
+    const auto of_channel = [](const std::function<void(AnimationChannel&)>& damage) {
+        expect_refused([&damage](Scene& scene) { damage(scene.animations[0].channels[0]); });
+    };
+    of_channel([](AnimationChannel& channel) { channel.times_s = {2.0F, 0.0F}; });
+    of_channel([](AnimationChannel& channel) { channel.times_s.clear(); });
+    of_channel([](AnimationChannel& channel) { channel.values.resize(4); });
+    of_channel([](AnimationChannel& channel) {
+        channel.path = AnimatedPath::weights;
+        channel.values.pop_back();
+    });
     const auto of_primitive = [](const std::function<void(Primitive&)>& damage) {
         expect_refused([&damage](Scene& scene) { damage(scene.meshes[0].primitives[0]); });
     };
     of_primitive([](Primitive& primitive) { primitive.positions.pop_back(); });
     of_primitive([](Primitive& primitive) { primitive.normals.clear(); });
     of_primitive([](Primitive& primitive) { primitive.tangents.pop_back(); });
+    of_primitive([](Primitive& primitive) { primitive.uvs[0].pop_back(); });
     of_primitive([](Primitive& primitive) { primitive.uvs[1].pop_back(); });
     of_primitive([](Primitive& primitive) { primitive.colors.pop_back(); });
     of_primitive([](Primitive& primitive) { primitive.joints_0.clear(); });
+    of_primitive([](Primitive& primitive) { primitive.weights_0.clear(); });
     of_primitive([](Primitive& primitive) { primitive.weights_1.clear(); });
-    of_primitive([](Primitive& primitive) { primitive.indices.pop_back(); });
+    of_primitive([](Primitive& primitive) {
+        primitive.joints_0.pop_back();
+        primitive.weights_0.pop_back();
+    });
+    of_primitive([](Primitive& primitive) {
+        primitive.joints_1.pop_back();
+        primitive.weights_1.pop_back();
+    });
+    of_primitive([](Primitive& primitive) {
+        primitive.joints_0.clear();
+        primitive.weights_0.clear();
+    });
+    of_primitive([](Primitive& primitive) {
+        primitive.edge_marks.clear();
+        primitive.indices.pop_back();
+    });
+    of_primitive([](Primitive& primitive) { primitive = {.topology = Topology::points, .indices = {0}}; });
+    of_primitive([](Primitive& primitive) {
+        primitive = {
+            .topology = Topology::points, .positions = {{0, 0, 0}, {1, 0, 0}}, .normals = {{0, 0, 1}}};
+    });
+    of_primitive([](Primitive& primitive) { primitive.morph_targets[0].position_offsets.pop_back(); });
     of_primitive([](Primitive& primitive) { primitive.edge_marks.pop_back(); });
     of_primitive([](Primitive& primitive) { primitive.morph_targets[0].normal_offsets.pop_back(); });
     of_primitive([](Primitive& primitive) { primitive.held.pop_back(); });

@@ -7,7 +7,6 @@
 
 #include <tuple>
 
-#include <estampe/lightmap.hpp>
 #include <estampe/scene.hpp>
 
 #include "core/child/exchange.hpp"
@@ -287,29 +286,6 @@ auto members(T& scene)
     return std::tie(name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
                     frames_per_s, variants, extensions_used, extensions_ignored, files, missing_files,
                     file_unit_m, warnings, cells, portals);
-}
-
-template <Either<LightImage> T>
-auto members(T& image)
-{
-    auto& [width, height, texels] = image;
-    return std::tie(width, height, texels);
-}
-
-template <Either<WornPicture> T>
-auto members(T& worn)
-{
-    auto& [picture, uv_set, intensity] = worn;
-    return std::tie(picture, uv_set, intensity);
-}
-
-template <Either<Lightmap> T>
-auto members(T& map)
-{
-    auto& [light, corners, geometry, exposure, baked_lights, settings, pictures, of_node, of_material,
-           of_scene] = map;
-    return std::tie(light, corners, geometry, exposure, baked_lights, settings, pictures, of_node,
-                    of_material, of_scene);
 }
 
 } // namespace estampe

@@ -15,10 +15,31 @@
 
 #include <estampe/error.hpp>
 
+#include "core/child/child.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "core/read_scope.hpp"
 #include "techniques/tam/painted/painted_strokes.hpp"
+
+namespace estampe {
+
+// Lists of members, for send() and receive() of core/child/exchange.hpp.
+
+template <Either<TonalArtMap> T>
+auto members(T& map)
+{
+    auto& [size_px, darkness, level_of_tone, threshold_of_level] = map;
+    return std::tie(size_px, darkness, level_of_tone, threshold_of_level);
+}
+
+template <Either<PaintedMap> T>
+auto members(T& painted)
+{
+    auto& [map, warnings] = painted;
+    return std::tie(map, warnings);
+}
+
+} // namespace estampe
 
 namespace estampe::tam {
 namespace {
@@ -254,7 +275,9 @@ PaintedMap complete_map(std::vector<std::vector<Gray8>> level_of_tone, uint32_t 
     return painted;
 }
 
-PaintedMap read_map(const fs::path& path, const ReadScope& scope)
+namespace {
+
+PaintedMap decode_map(const fs::path& path, const ReadScope& scope)
 {
     constexpr uint64_t max_file_bytes = uint64_t{1} << 29;
     if (fs::is_directory(path)) {
@@ -269,6 +292,16 @@ PaintedMap read_map(const fs::path& path, const ReadScope& scope)
     }
     static_cast<void>(read_file(path, max_file_bytes, scope)); // throws an Error if the file does not exist
     throw Error("is no tonal art map", path.string(), "give a folder of PNG files, a .dds or a .tam file");
+}
+
+} // namespace
+
+PaintedMap read_map(const fs::path& path, const ReadScope& scope)
+{
+    PaintedMap painted =
+        run_in_child([&] { return decode_map(path, scope); }, limits_for_file(path), path.string());
+    check_map(painted.map, path.string());
+    return painted;
 }
 
 bool is_folder_name(const fs::path& path)

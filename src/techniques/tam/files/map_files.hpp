@@ -18,7 +18,8 @@ namespace estampe::tam {
 
 using estampe::PaintedMap;
 
-/// Implements estampe::load_tonal_art_map(). Levels that the files lack are derived, see painted_strokes.hpp.
+/// Implements estampe::load_tonal_art_map(). Decodes the files in a child process. Levels that the files lack
+/// are derived, see painted_strokes.hpp.
 [[nodiscard]] PaintedMap read_map(const std::filesystem::path& path, const ReadScope& scope = {});
 
 /// Implements estampe::is_map_folder().
@@ -50,6 +51,7 @@ void write_map(const TonalArtMap& map, const std::filesystem::path& path);
 /// Saves a map as a `.tam` file: writes a temporary file beside `path`, then renames it. Throws Error.
 void save_tam(const TonalArtMap& map, const std::filesystem::path& path);
 
+/// Reads a `.tam` file in this process; for files that this program wrote itself, as a cache.
 [[nodiscard]] TonalArtMap load_tam(const std::filesystem::path& path, const ReadScope& scope = {});
 
 [[nodiscard]] std::string manifest_of(const TonalArtMap& map);
