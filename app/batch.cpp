@@ -477,7 +477,7 @@ public:
         is_there_ = false;
         try {
             renderer_ = Renderer(device);
-        } catch (const Error&) {
+        } catch (const std::exception&) {
             return; // The renderer of the lost device stays
         }
     }

@@ -189,7 +189,8 @@ public:
           animator_(std::in_place, draw_, scene, worlds::Occasion::film),
           path_(film.flies ? animator_->film_camera(scene) : nullptr),
           camera_(draw_, scene, animation, time_s(film.first), time_s(film.last), film.turntable, path_),
-          frames_(draw_.output, fingerprint(draw_, film, scene, renderer)), times_passes_(command.timings)
+          frames_(draw_.output, fingerprint(draw_, film, scene, renderer), draw_.confine.jobs),
+          times_passes_(command.timings)
     {
         tell_end();
         if (is_film(draw_.output)) {
@@ -216,7 +217,7 @@ public:
         const uint32_t next = std::min(state->next, film_.last + 1);
         print_notes({fmt::format("goes on with frame {} of {}", next, film_.last)});
         for (uint32_t number = film_.first; number < next && writer_; ++number) {
-            writer_->add(load_image(frames_.path_of(number)));
+            writer_->add(frames_.load(number));
         }
         kept_ = {next, state->memory};
         recall_kept();
@@ -300,7 +301,7 @@ private:
         for (int losses = 0;; ++losses) {
             try {
                 if (losses > 0) {
-                    open_again(number);
+                    to_its_end([&] { open_again(number); });
                 }
                 draw();
                 return;

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstring>
 #include <regex>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
 
+#include "confine.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "core/text.hpp"
@@ -76,12 +78,14 @@ bool is_frame_of(const std::string& pattern, const std::filesystem::path& file)
     return number && numbered(form, *number) == name;
 }
 
-FilmFrames::FilmFrames(const std::string& output, uint64_t job) : is_of_film_(!is_numbered(output)), job_(job)
+FilmFrames::FilmFrames(const std::string& output, uint64_t job, ReadScope scope)
+    : is_of_film_(!is_numbered(output)), job_(job), scope_(std::move(scope))
 {
     const std::filesystem::path target(output);
     folder_ = is_of_film_ ? std::filesystem::path(output + ".partial")
                           : (target.has_parent_path() ? target.parent_path() : std::filesystem::path("."));
     pattern_ = is_of_film_ ? "%06d.png" : target.filename().string();
+    check_output_inside(folder_ / state_name, scope_);
 }
 
 std::filesystem::path FilmFrames::path_of(uint32_t number) const
@@ -95,7 +99,7 @@ std::optional<FilmState> FilmFrames::state(uint32_t first) const
     if (!std::filesystem::exists(path)) {
         return std::nullopt;
     }
-    const std::vector<std::byte> bytes = read_file(path);
+    const std::vector<std::byte> bytes = read_file(path, any_length, scope_);
     StateHead head;
     const StateHead own;
     if (bytes.size() >= sizeof head) {
@@ -118,8 +122,14 @@ std::optional<FilmState> FilmFrames::state(uint32_t first) const
     return FilmState{static_cast<uint32_t>(head.next), {bytes.begin() + sizeof head, bytes.end()}};
 }
 
+Image FilmFrames::load(uint32_t number) const
+{
+    return load_image(path_of(number), scope_);
+}
+
 void FilmFrames::save(uint32_t number, const Image& image) const
 {
+    check_output_inside(path_of(number), scope_);
     write_file_atomically(path_of(number), encode_png(image));
 }
 

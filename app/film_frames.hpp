@@ -15,6 +15,7 @@
 
 #include <estampe/film.hpp>
 #include <estampe/image.hpp>
+#include <estampe/read_scope.hpp>
 
 namespace estampe::app {
 
@@ -35,8 +36,9 @@ struct FilmState {
 class FilmFrames {
 public:
     /// Prepares the files of a film. `output` is the pattern of the pictures or the film file. `job` is a
-    /// fingerprint of everything that the frames depend on.
-    FilmFrames(const std::string& output, uint64_t job);
+    /// fingerprint of everything that the frames depend on. Throws Error if a file of the film lies outside
+    /// of `scope`; so do the functions that read or write one.
+    FilmFrames(const std::string& output, uint64_t job, ReadScope scope = {});
 
     /// Path of the file of a frame.
     [[nodiscard]] std::filesystem::path path_of(uint32_t number) const;
@@ -44,6 +46,9 @@ public:
     /// Reads the film's state that an earlier run saved; nothing if there is none. Throws Error when the
     /// state belongs to another job or is damaged, or when a frame from `first` on is missing.
     [[nodiscard]] std::optional<FilmState> state(uint32_t first) const;
+
+    /// Reads a frame that was saved. Throws Error on failure.
+    [[nodiscard]] Image load(uint32_t number) const;
 
     /// Writes a frame to its file. Throws Error on failure.
     void save(uint32_t number, const Image& image) const;
@@ -70,6 +75,7 @@ private:
     std::filesystem::path folder_;
     bool is_of_film_;
     uint64_t job_;
+    ReadScope scope_;
 };
 
 /// Writes frames in a separate thread while the next frames are drawn.

@@ -123,16 +123,22 @@ StoredPipelines read_pipelines(const std::filesystem::path& file, const Pipeline
                                 "which only its user writes",
                                 file.parent_path().string(), fault)};
     }
-    std::string fault = "cannot be read";
-    try {
-        std::optional<std::vector<std::byte>> bytes =
-            content_of(read_file(file, most_bytes, ReadScope::beside(file)));
-        if (bytes && is_for(*bytes, owner)) {
-            return {.bytes = *std::move(bytes), .note = {}};
+    // A file that is fine must not be deleted because this process lacks memory or file descriptors.
+    std::string fault = "is no regular file";
+    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, missing))) {
+        try {
+            std::optional<std::vector<std::byte>> bytes =
+                content_of(read_file(file, most_bytes, ReadScope::beside(file)));
+            if (bytes && is_for(*bytes, owner)) {
+                return {.bytes = *std::move(bytes), .note = {}};
+            }
+            fault = bytes ? "is of another device or driver" : "is truncated or changed";
+        } catch (const std::exception&) {
+            if (std::filesystem::file_size(file, missing) <= most_bytes) {
+                return {};
+            }
+            fault = "is too long";
         }
-        fault = bytes ? "is of another device or driver" : "is truncated or changed";
-    } catch (const std::exception&) {
-        // The file is a link, a folder, too long, or not readable
     }
     std::error_code failed;
     std::filesystem::remove(file, failed);

@@ -93,7 +93,9 @@ Source resolve(const std::string& preset_or_file, const std::string& from, const
     std::filesystem::path path = preset_or_file;
     if (!from.empty() && !from.starts_with(preset_prefix)) {
         require_inside(preset_or_file, scope, preset_or_file);
-        path = (std::filesystem::path(from).parent_path() / path).lexically_normal();
+        path = std::filesystem::path(from).parent_path() / path;
+        // The folders of a scope are compared as they are written. Within a scope, names have no ".." anyway.
+        path = scope.is_limited() ? path : path.lexically_normal();
     }
     std::error_code problem;
     if (!looks_like_a_file(preset_or_file) && !std::filesystem::exists(path, problem)) {

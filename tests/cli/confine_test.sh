@@ -207,7 +207,14 @@ job 'scene = "scene.glb"' 'output = "out.png"' 'layers = "linked/layers"'
 refused job, layers
 job 'scene = "scene.glb"' 'output = "out.png"' 'motion = "../secret/motion.exr"'
 refused job, motion
-[[ -z "$(find secret -newer keys -name 'out*' -o -newer keys -name 'new*')" ]] || wrong "a job wrote into secret"
+mkdir -p in/film
+ln -s ../secret in/film.mp4.partial
+ln -s ../../secret/new.png in/film/0001.png
+for each in film.mp4 film/%04d.png; do
+    job 'scene = "scene.glb"' "output = \"$each\"" 'frames = "1-2"' 'turntable = true'
+    refused "job, film $each"
+done
+[[ -z "$(find secret -newer keys -name 'out*' -o -newer keys -name 'new*' -o -newer keys -name '0*' -o -newer keys -name 'film*')" ]] || wrong "a job wrote into secret"
 cp in/jobs.toml secret/jobs.toml
 ln -s ../secret/jobs.toml in/linked_jobs.toml
 run batch in/linked_jobs.toml --device cpu --confine

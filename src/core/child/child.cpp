@@ -28,6 +28,7 @@
 #include "core/free_memory.hpp"
 #include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
+#include "core/read_scope.hpp"
 
 #if defined(__SANITIZE_THREAD__)
 // The thread sanitizer otherwise ends a child process that tries to start a thread, if its parent has
@@ -68,13 +69,14 @@ struct ErrorParts {
     std::string what;
     std::string where;
     std::string remedy;
+    bool is_outside_scope = false; ///< An OutsideScope, which callers tell from other Errors
 };
 
 template <Either<ErrorParts> T>
 auto members(T& error)
 {
-    auto& [what, where, remedy] = error;
-    return std::tie(what, where, remedy);
+    auto& [what, where, remedy, is_outside_scope] = error;
+    return std::tie(what, where, remedy, is_outside_scope);
 }
 
 /// Splits an Error into its parts. The message is "where: what; remedy" without the parts that are empty.
@@ -83,18 +85,26 @@ ErrorParts parts_of(const Error& error)
     std::string_view what = error.what();
     what.remove_prefix(error.where().empty() ? 0 : error.where().size() + 2);
     what.remove_suffix(error.remedy().empty() ? 0 : error.remedy().size() + 2);
-    return {.what = std::string(what), .where = error.where(), .remedy = error.remedy()};
+    return {.what = std::string(what),
+            .where = error.where(),
+            .remedy = error.remedy(),
+            .is_outside_scope = dynamic_cast<const OutsideScope*>(&error) != nullptr};
 }
 
 // The child process
 
+// Exit statuses of a child process that cannot send a message.
+constexpr int lost_its_pipe = 3;
+constexpr int failed_outside_work = 4;
+constexpr int lacked_memory = 5; ///< Memory ran out after a part of the result was sent
+
 void take_default_signals()
 {
-    for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGXCPU, SIGPIPE})
+    for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGPIPE})
         (void)std::signal(number, SIG_DFL);
-    // A terminal sends these signals to both processes. The parent decides what they mean, and the child ends
-    // with the parent.
-    for (const int number : {SIGINT, SIGHUP, SIGQUIT, SIGXFSZ})
+    // Terminals and service managers send these signals to both processes. The parent decides what they mean,
+    // and the child ends with the parent.
+    for (const int number : {SIGINT, SIGHUP, SIGQUIT, SIGTERM, SIGXFSZ})
         (void)std::signal(number, SIG_IGN);
     sigset_t none;
     sigemptyset(&none);
@@ -123,7 +133,7 @@ void write_to_pipe(int pipe_end, std::span<const std::byte> bytes)
     while (!bytes.empty()) {
         const ssize_t count = write(pipe_end, bytes.data(), bytes.size());
         if (count < 0 && errno != EINTR)
-            _exit(3);
+            _exit(lost_its_pipe);
         bytes = bytes.subspan(static_cast<size_t>(std::max<ssize_t>(count, 0)));
     }
 }
@@ -136,30 +146,41 @@ void do_work(ByteWriter& writer, const std::function<Send()>& work)
         writer.flush();
         return true;
     });
+    bool has_begun_result = false;
     try {
         const Send send_result = work();
+        has_begun_result = true;
         send(writer, Message::result);
         send_result(writer);
         send(writer, end_mark);
     } catch (const std::bad_alloc&) {
+        if (has_begun_result)
+            _exit(lacked_memory);
         send(writer, Message::out_of_memory);
     } catch (const Error& error) {
         send(writer, Message::error);
         send(writer, parts_of(error));
     } catch (const std::exception& error) {
         send(writer, Message::error);
-        send(writer, ErrorParts{.what = error.what(), .where = {}, .remedy = {}});
+        send(writer, ErrorParts{.what = error.what(), .where = {}, .remedy = {}, .is_outside_scope = false});
     }
 }
 
 [[noreturn]] void be_child(int pipe_end, const std::function<Send()>& work, const ChildLimits& limits)
 {
-    ByteWriter writer([pipe_end](std::span<const std::byte> bytes) { write_to_pipe(pipe_end, bytes); });
-    if (enter_limits(limits, pipe_end))
-        do_work(writer, work);
-    else
-        send(writer, Message::cannot_confine);
-    writer.flush();
+    // An exception that left this function would run on in the parent's code.
+    try {
+        ByteWriter writer([pipe_end](std::span<const std::byte> bytes) { write_to_pipe(pipe_end, bytes); });
+        if (enter_limits(limits, pipe_end))
+            do_work(writer, work);
+        else
+            send(writer, Message::cannot_confine);
+        writer.flush();
+    } catch (const std::bad_alloc&) {
+        _exit(lacked_memory);
+    } catch (...) {
+        _exit(failed_outside_work);
+    }
     // Ends the child process without running destructors and exit handlers, which belong to the parent
     // process.
     _exit(0);
@@ -252,8 +273,18 @@ private:
     bool is_late_ = false;
 };
 
+[[noreturn]] void fail_for_memory(const ChildLimits& limits, const std::string& where)
+{
+    const uint64_t job_bytes = JobLimits::of_thread().memory_bytes;
+    if (limits.memory_bytes == job_bytes)
+        throw Error(fmt::format("reading it needs more memory than {}, the limit of --max-memory",
+                                in_bytes(job_bytes)),
+                    where, "raise the limit");
+    throw Error("reading it takes more memory than a file of this size should", where, try_others);
+}
+
 /// Tells why a child process ended without a complete message.
-[[noreturn]] void fail_by_status(Running& running, const std::string& where)
+[[noreturn]] void fail_by_status(Running& running, const ChildLimits& limits, const std::string& where)
 {
     const int status = running.wait();
     if (running.is_late() || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
@@ -262,6 +293,8 @@ private:
         throw Error("reading it was ended by the system, which may be short of memory", where, try_others);
     if (WIFSIGNALED(status))
         throw Error(fmt::format("reading it crashed (signal {})", WTERMSIG(status)), where, try_others);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == lacked_memory)
+        fail_for_memory(limits, where);
     throw Error("reading it failed without a word", where, try_others);
 }
 
@@ -277,7 +310,10 @@ class EndsEarly : public std::exception {};
         part->resize(std::min(part->size(), most_characters));
     if (error.where.empty() && error.remedy.empty())
         error.remedy = try_others;
-    throw Error(error.what, error.where.empty() ? where : error.where, error.remedy);
+    const std::string& place = error.where.empty() ? where : error.where;
+    if (error.is_outside_scope)
+        throw OutsideScope(error.what, place, error.remedy);
+    throw Error(error.what, place, error.remedy);
 }
 
 void take_messages(Running& running, const std::function<void(ByteReader&)>& receive_result,
@@ -303,11 +339,7 @@ void take_messages(Running& running, const std::function<void(ByteReader&)>& rec
         case Message::error:
             throw_error(reader, where);
         case Message::out_of_memory:
-            if (is_memory_limited())
-                throw Error(fmt::format("reading it needs more memory than {}, the limit of --max-memory",
-                                        in_bytes(JobLimits::of_thread().memory_bytes)),
-                            where, "raise the limit");
-            throw Error("reading it takes more memory than a file of this size should", where, try_others);
+            fail_for_memory(limits, where);
         case Message::cannot_confine:
             throw Error(fmt::format("reading cannot be confined to {}: {}",
                                     limits.readable_below.value_or("a folder").string(),
@@ -347,7 +379,7 @@ void run(const std::function<Send()>& work, const std::function<void(ByteReader&
     try {
         take_messages(running, receive, limits, where);
     } catch (const EndsEarly&) {
-        fail_by_status(running, where);
+        fail_by_status(running, limits, where);
     } catch (const std::bad_alloc&) {
         throw Error("does not fit into memory", where);
     }

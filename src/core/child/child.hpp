@@ -55,7 +55,7 @@ void run(const std::function<Send()>& work, const std::function<void(ByteReader&
 /// that `work` reports is reported here; if the ProgressWatch asks to stop, the child is ended.
 ///
 /// `work` must not use a Vulkan device, nor locks that other threads of this process may hold. Cost: 1 to 3
-/// ms, and about 1 ms per 4 megabytes of the result.
+/// ms, and about 1.5 ms per 4 megabytes of the result.
 template <typename Work>
 [[nodiscard]] std::invoke_result_t<Work> run_in_child(const Work& work, const ChildLimits& limits,
                                                       const std::string& where)

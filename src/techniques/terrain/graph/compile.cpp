@@ -10,6 +10,8 @@
 #include <set>
 
 #include <estampe/error.hpp>
+
+#include "core/read_scope.hpp"
 #include <fmt/format.h>
 
 #include "style/names.hpp"
@@ -402,6 +404,8 @@ private:
         const TextureInProgram found = [&] {
             try {
                 return texture_in(program_, request, terrain_);
+            } catch (const OutsideScope&) {
+                throw;
             } catch (const Error& error) {
                 fail(at, error.what());
             }
