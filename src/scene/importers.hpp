@@ -15,6 +15,9 @@
 
 namespace estampe {
 
+/// Name of a material that OBJ and PLY files do not name.
+inline constexpr const char* material_without_name = "DefaultMaterial";
+
 /// Reads a glTF 2.0 file and its external buffers and images. The content of the file decides whether it is
 /// read as text or as binary.
 ///

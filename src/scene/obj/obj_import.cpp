@@ -17,7 +17,6 @@ namespace {
 using obj::Piece;
 
 constexpr float grey = 0.6F;
-constexpr const char* material_without_name = "DefaultMaterial";
 
 /// Adds all vertices as points. A file with only vertices is a point cloud from a scanner.
 void add_cloud(obj::Data& data, std::vector<std::string>& warnings)
@@ -208,7 +207,7 @@ void add_default_material(obj::Data& data, const glm::vec3& color, Scene& scene)
                                .double_sided = true});
 }
 
-Scene import(Input& input, const std::filesystem::path* path, const ReadScope& scope)
+Scene import_obj(Input& input, const std::filesystem::path* path, const ReadScope& scope)
 {
     obj::Data data = obj::parse(input);
     Scene scene;
@@ -237,13 +236,13 @@ Scene import(Input& input, const std::filesystem::path* path, const ReadScope& s
 Scene load_obj(const std::filesystem::path& path, const ReadScope& scope)
 {
     Input input(path, scope);
-    return within_memory(input.name(), [&] { return import(input, &path, scope); });
+    return within_memory(input.name(), [&] { return import_obj(input, &path, scope); });
 }
 
 Scene load_obj_bytes(std::span<const std::byte> bytes, const std::string& name)
 {
     Input input(bytes, name);
-    return within_memory(name, [&] { return import(input, nullptr, {}); });
+    return within_memory(name, [&] { return import_obj(input, nullptr, {}); });
 }
 
 } // namespace estampe

@@ -11,8 +11,6 @@
 namespace estampe {
 namespace {
 
-constexpr const char* material_without_name = "DefaultMaterial";
-
 glm::vec2 turned_over(const glm::vec2& uv)
 {
     return {uv.x, 1.0F - uv.y};
@@ -111,7 +109,7 @@ void add_materials(const std::vector<std::string>& texture_files, Scene& scene)
     }
 }
 
-Scene import(Input& input, const std::filesystem::path* path, const ReadScope& scope)
+Scene import_ply(Input& input, const std::filesystem::path* path, const ReadScope& scope)
 {
     ply::Data data = ply::parse(input);
     Scene scene;
@@ -147,13 +145,13 @@ Scene import(Input& input, const std::filesystem::path* path, const ReadScope& s
 Scene load_ply(const std::filesystem::path& path, const ReadScope& scope)
 {
     Input input(path, scope);
-    return within_memory(input.name(), [&] { return import(input, &path, scope); });
+    return within_memory(input.name(), [&] { return import_ply(input, &path, scope); });
 }
 
 Scene load_ply_bytes(std::span<const std::byte> bytes, const std::string& name)
 {
     Input input(bytes, name);
-    return within_memory(name, [&] { return import(input, nullptr, {}); });
+    return within_memory(name, [&] { return import_ply(input, nullptr, {}); });
 }
 
 } // namespace estampe

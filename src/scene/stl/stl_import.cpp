@@ -393,7 +393,7 @@ void drop_points(stl::Data& data)
             fmt::format("{} facets left out: all their corners are in one place", dropped));
 }
 
-Scene import(Input& input)
+Scene import_stl(Input& input)
 {
     stl::Data data = stl::parse(input);
     drop_points(data);
@@ -437,13 +437,13 @@ Scene import(Input& input)
 Scene load_stl(const std::filesystem::path& path, const ReadScope& scope)
 {
     Input input(path, scope);
-    return within_memory(input.name(), [&] { return import(input); });
+    return within_memory(input.name(), [&] { return import_stl(input); });
 }
 
 Scene load_stl_bytes(std::span<const std::byte> bytes, const std::string& name)
 {
     Input input(bytes, name);
-    return within_memory(name, [&] { return import(input); });
+    return within_memory(name, [&] { return import_stl(input); });
 }
 
 } // namespace estampe
