@@ -16,7 +16,7 @@
 #include <estampe/tonal_art_map.hpp>
 
 #include "contact_sheet.hpp"
-#include "core/child/confine.hpp"
+#include "core/child/sandbox.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "drawing.hpp"

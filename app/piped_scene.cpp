@@ -24,6 +24,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/descriptor.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "scene/input/input.hpp"
@@ -136,27 +137,6 @@ std::string name_of(const std::string& scene)
 {
     return scene == standard_input ? "standard input" : scene;
 }
-
-/// A file descriptor that is closed by the destructor, unless it is standard input.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-
-    ~Descriptor()
-    {
-        if (number_ > STDERR_FILENO) {
-            close(number_);
-        }
-    }
-
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    [[nodiscard]] int number() const { return number_; }
-
-private:
-    int number_;
-};
 
 [[noreturn]] void fail(const std::string& what, const std::string& scene, const std::string& remedy = {})
 {
@@ -295,7 +275,8 @@ std::string format_of_name(const std::string& scene)
 std::unique_ptr<Received> receive(const std::string& scene, const std::string& format, uint64_t most_bytes,
                                   BesidePipe beside)
 {
-    const Descriptor from(scene == standard_input ? STDIN_FILENO : open(scene.c_str(), O_RDONLY | O_CLOEXEC));
+    const Descriptor from(scene == standard_input ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                                                  : open(scene.c_str(), O_RDONLY | O_CLOEXEC));
     if (from.number() < 0) {
         fail(fmt::format("cannot be read: {}", std::strerror(errno)), scene);
     }

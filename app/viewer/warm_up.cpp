@@ -16,7 +16,6 @@
 
 #include "core/file.hpp"
 #include "core/hash.hpp"
-#include "core/private_folder.hpp"
 #include "drawing.hpp"
 #include "process.hpp"
 #include "worlds.hpp"

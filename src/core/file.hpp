@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include <unistd.h>
+
 #include <estampe/read_scope.hpp>
 
 namespace estampe {
@@ -105,5 +107,14 @@ void check_output(const std::filesystem::path& output, const std::vector<std::fi
 
 /// The user's cache folder: $XDG_CACHE_HOME, or ~/.cache. Empty if neither is an absolute path.
 [[nodiscard]] std::filesystem::path user_cache_folder();
+
+/// Creates the folder, and the folders above it, unless they exist. New folders are for the user alone,
+/// whatever the user's umask. Throws std::filesystem::filesystem_error.
+void make_private_folder(const std::filesystem::path& folder);
+
+/// Returns why files in the folder cannot be trusted: the folder is a link, belongs to another user than
+/// `user`, or is writable by other users. Empty if the files can be trusted, and if there is no such folder.
+[[nodiscard]] std::string fault_of_private_folder(const std::filesystem::path& folder,
+                                                  uid_t user = geteuid());
 
 } // namespace estampe

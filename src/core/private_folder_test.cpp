@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/private_folder.hpp"
+#include "core/file.hpp"
 
 #include <fstream>
 

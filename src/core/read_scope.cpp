@@ -18,39 +18,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/descriptor.hpp"
+
 namespace estampe {
 namespace {
 
 using Parts = std::vector<std::string>;
-
-/// A file descriptor that is closed by the destructor.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-
-    ~Descriptor() { reset(-1); }
-
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    [[nodiscard]] int number() const { return number_; }
-
-    [[nodiscard]] int release() { return std::exchange(number_, -1); }
-
-    /// Closes the descriptor and keeps errno.
-    void reset(int number)
-    {
-        const int reason = errno;
-        if (number_ >= 0) {
-            close(number_);
-        }
-        number_ = number;
-        errno = reason;
-    }
-
-private:
-    int number_;
-};
 
 /// Returns the parts of a path from the root folder, as the path is written: symbolic links and ".." stay.
 Parts parts_of(const std::filesystem::path& path)

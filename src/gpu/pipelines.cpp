@@ -17,7 +17,6 @@
 
 #include "core/file.hpp"
 #include "core/hash.hpp"
-#include "core/private_folder.hpp"
 #include "gpu/device.hpp"
 #include "gpu/shader_bindings.hpp"
 

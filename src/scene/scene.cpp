@@ -20,8 +20,7 @@
 #include "core/text.hpp"
 #include "scene/importers.hpp"
 #include "scene/mending/repair.hpp"
-#include "scene/reader/check_scene.hpp"
-#include "scene/reader/members.hpp"
+#include "scene/reader/crossing.hpp"
 #include "scene/scene_limits.hpp"
 #include "scene/up_axis.hpp"
 

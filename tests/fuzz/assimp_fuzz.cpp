@@ -16,8 +16,8 @@
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
 
-#include "scene/reader/check_scene.hpp"
-#include "scene/reader/members.hpp"
+#include "core/child/exchange_test_support.hpp"
+#include "scene/reader/crossing.hpp"
 
 namespace {
 
@@ -26,14 +26,7 @@ using namespace estampe;
 void read_sent(std::span<const std::byte> bytes)
 {
     constexpr uint64_t budget_bytes = uint64_t{1} << 26U;
-    ByteReader reader(
-        [&bytes](std::span<std::byte> target) {
-            const size_t count = std::min(target.size(), bytes.size());
-            std::copy_n(bytes.begin(), count, target.begin());
-            bytes = bytes.subspan(count);
-            return count;
-        },
-        budget_bytes, "fuzz");
+    ByteReader reader = test::reader_of(bytes, budget_bytes, "fuzz");
     Scene scene;
     receive(reader, scene);
     check_received_scene(scene, "fuzz");

@@ -24,7 +24,7 @@
 
 #include <estampe/error.hpp>
 
-#include "core/child/confine.hpp"
+#include "core/child/sandbox.hpp"
 #include "core/free_memory.hpp"
 #include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"

@@ -6,7 +6,7 @@
 //
 //  1. child.hpp starts the child process, watches its time, and turns its end into a result or an Error.
 //  2. exchange.hpp passes the result to this process as bytes, and checks the bytes.
-//  3. confine.hpp takes rights away from the child process before it starts its work.
+//  3. sandbox.hpp takes rights away from the child process before it starts its work.
 
 #include <cstddef>
 #include <cstdint>
@@ -50,7 +50,7 @@ void run(const std::function<Send()>& work, const std::function<void(ByteReader&
 
 /// Runs `work` in a forked child process and returns the result of `work`, which send() and receive() pass to
 /// this process. The child has no terminal output, and no rights but to read files and to compute (see
-/// confine.hpp). If `work` crashes, hangs or runs out of memory, this function throws Error with `where` as
+/// sandbox.hpp). If `work` crashes, hangs or runs out of memory, this function throws Error with `where` as
 /// its place. An Error that `work` throws is thrown here with the same message, place and remedy. Progress
 /// that `work` reports is reported here; if the ProgressWatch asks to stop, the child is ended.
 ///

@@ -9,10 +9,13 @@
 
 #include <estampe/error.hpp>
 
+#include "core/child/exchange_test_support.hpp"
+
 namespace estampe {
 namespace {
 
 using Bytes = std::vector<std::byte>;
+using test::sent;
 
 enum class Fruit : uint8_t { apple, pear };
 
@@ -53,29 +56,11 @@ auto members(T& outer)
     return std::tie(is_set, fruit, text, path, inner, pair);
 }
 
-template <typename T>
-Bytes sent(const T& value)
-{
-    Bytes bytes;
-    ByteWriter writer(
-        [&bytes](std::span<const std::byte> more) { bytes.insert(bytes.end(), more.begin(), more.end()); });
-    send(writer, value);
-    writer.flush();
-    return bytes;
-}
-
 /// Receives a value from bytes that arrive in pieces of `piece` bytes.
 template <typename T>
 T received(std::span<const std::byte> bytes, uint64_t budget_bytes = 1U << 26U, size_t piece = 1000)
 {
-    ByteReader reader(
-        [&](std::span<std::byte> target) {
-            const size_t count = std::min({target.size(), bytes.size(), piece});
-            std::copy_n(bytes.begin(), count, target.begin());
-            bytes = bytes.subspan(count);
-            return count;
-        },
-        budget_bytes, "there");
+    ByteReader reader = test::reader_of(bytes, budget_bytes, "there", piece);
     T value{};
     receive(reader, value);
     return value;

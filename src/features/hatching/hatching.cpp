@@ -11,7 +11,6 @@
 
 #include "core/file.hpp"
 #include "core/hash.hpp"
-#include "core/private_folder.hpp"
 #include "gpu/resources.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "style/schema.hpp"

@@ -9,36 +9,19 @@
 #include <estampe/shapes.hpp>
 
 #include "core/child/child.hpp"
-#include "scene/reader/check_scene.hpp"
-#include "scene/reader/members.hpp"
+#include "core/child/exchange_test_support.hpp"
+#include "scene/reader/crossing.hpp"
 #include "scene/scene_limits.hpp"
 
 namespace estampe {
 namespace {
 
 using Bytes = std::vector<std::byte>;
-
-template <typename T>
-Bytes sent(const T& value)
-{
-    Bytes bytes;
-    ByteWriter writer(
-        [&bytes](std::span<const std::byte> more) { bytes.insert(bytes.end(), more.begin(), more.end()); });
-    send(writer, value);
-    writer.flush();
-    return bytes;
-}
+using test::sent;
 
 Scene received(std::span<const std::byte> bytes, uint64_t budget_bytes = uint64_t{1} << 24U)
 {
-    ByteReader reader(
-        [&bytes](std::span<std::byte> target) {
-            const size_t count = std::min(target.size(), bytes.size());
-            std::copy_n(bytes.begin(), count, target.begin());
-            bytes = bytes.subspan(count);
-            return count;
-        },
-        budget_bytes, "there");
+    ByteReader reader = test::reader_of(bytes, budget_bytes, "there");
     Scene scene;
     receive(reader, scene);
     check_received_scene(scene, "there");

@@ -10,27 +10,17 @@
 #include <estampe/error.hpp>
 
 #include "core/child/child.hpp"
+#include "core/child/exchange_test_support.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "core/long_jobs.hpp"
 #include "scene/gltf/test_file.hpp"
 #include "scene/importers.hpp"
-#include "scene/reader/members.hpp"
+#include "scene/reader/crossing.hpp"
 #include "support/folder.hpp"
 
 namespace estampe::gltf {
 namespace {
-
-template <typename T>
-Bytes sent(const T& value)
-{
-    Bytes bytes;
-    ByteWriter writer(
-        [&bytes](std::span<const std::byte> more) { bytes.insert(bytes.end(), more.begin(), more.end()); });
-    send(writer, value);
-    writer.flush();
-    return bytes;
-}
 
 /// A triangle with a skin, two materials and variants, a texture beside the file, a lamp, a camera, an
 /// animation, and extras of Estampe.
@@ -99,7 +89,7 @@ TEST_F(LoadScene, SceneOfAChildIsThatOfAReaderInThisProcess)
     const Scene here = load_gltf(path);
     ASSERT_EQ(here.skins.size() + here.lights.size() + here.cameras.size() + here.animations.size(), 4U);
     ASSERT_TRUE(here.materials[0].cloth && here.variants.size() == 1 && !here.warnings.empty());
-    EXPECT_EQ(sent(run_in_child([&path] { return load_gltf(path); }, {}, "")), sent(here));
+    EXPECT_EQ(test::sent(run_in_child([&path] { return load_gltf(path); }, {}, "")), test::sent(here));
 }
 
 TEST_F(LoadScene, PicturesBesideItAreReadAndMissingOnesAreListed)

@@ -538,7 +538,7 @@ private:
     /// were computed before are reused, and instructions on constants are evaluated immediately.
     uint32_t append(Instruction instruction)
     {
-        if (instruction.op != shared::height_constant && hangs_on_constants(instruction)) {
+        if (instruction.op != shared::height_constant && depends_on_constants(program_, instruction)) {
             const double number = evaluate_one(program_, instruction);
             if (!std::isfinite(number)) {
                 throw Error(fmt::format("node \"{}\": the result is no number", node_->name), node_->where,
@@ -564,21 +564,6 @@ private:
         instruction.target = found->second;
         program_.instructions.push_back(instruction);
         return found->second;
-    }
-
-    [[nodiscard]] bool hangs_on_constants(const Instruction& instruction) const
-    {
-        if (instruction.op >= shared::height_coordinate_u) {
-            return false;
-        }
-        for (glm::length_t i = 0; i < 3; ++i) {
-            const uint32_t input = instruction.inputs[i];
-            if (input != shared::height_no_register &&
-                program_.instructions[input].op != shared::height_constant) {
-                return false;
-            }
-        }
-        return true;
     }
 
     const TerrainDescription& terrain_;

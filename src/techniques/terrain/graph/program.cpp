@@ -439,6 +439,21 @@ glm::vec4 evaluate_single(const Program& program, std::span<const PlaceWords> pl
     return HeightMath<float>{program, places}.run(local_m, spacing_m);
 }
 
+bool depends_on_constants(const Program& program, const Instruction& instruction)
+{
+    if (instruction.op >= shared::height_coordinate_u) {
+        return false;
+    }
+    for (glm::length_t i = 0; i < 3; ++i) {
+        const uint32_t input = instruction.inputs[i];
+        if (input != shared::height_no_register &&
+            program.instructions[input].op != shared::height_constant) {
+            return false;
+        }
+    }
+    return true;
+}
+
 double evaluate_one(const Program& program, const Instruction& instruction)
 {
     HeightMath<double> math{program, {}};

@@ -137,6 +137,9 @@ struct TextureInProgram {
 [[nodiscard]] glm::vec4 evaluate_single(const Program& program, std::span<const PlaceWords> places,
                                         const glm::vec2& local_m, float spacing_m = 0.0F);
 
+/// Returns whether the value of an instruction depends only on constants of the program.
+[[nodiscard]] bool depends_on_constants(const Program& program, const Instruction& instruction);
+
 /// Evaluates one instruction on constants. The inputs of the instruction are numbers of instructions in
 /// `program`, not registers.
 [[nodiscard]] double evaluate_one(const Program& program, const Instruction& instruction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/child/confine.hpp"
+#include "core/child/sandbox.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -46,9 +46,9 @@ int result_in_fork(const std::function<int()>& work)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-class Confine : public testing::Test {
+class Sandbox : public testing::Test {
 protected:
-    Confine()
+    Sandbox()
     {
         std::filesystem::create_directories(folder_ / "inside");
         std::ofstream(folder_ / "inside/file") << "x";
@@ -60,12 +60,12 @@ protected:
     test::Folder folder_;
 };
 
-TEST_F(Confine, ThisKernelHasAllProtections)
+TEST_F(Sandbox, ThisKernelHasAllProtections)
 {
     EXPECT_EQ(missing_protections(), "");
 }
 
-TEST_F(Confine, FilesCanBeReadButNotWritten)
+TEST_F(Sandbox, FilesCanBeReadButNotWritten)
 {
     const std::string file = path("inside/file");
     EXPECT_EQ(errno_in_child([&] { return open(file.c_str(), O_RDONLY); }), 0);
@@ -82,13 +82,13 @@ TEST_F(Confine, FilesCanBeReadButNotWritten)
     EXPECT_FALSE(std::filesystem::exists(path("new")));
 }
 
-TEST_F(Confine, ThereIsNoNetwork)
+TEST_F(Sandbox, ThereIsNoNetwork)
 {
     for (const int family : {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK})
         EXPECT_EQ(errno_in_child([&] { return socket(family, SOCK_STREAM, 0); }), EPERM) << family;
 }
 
-TEST_F(Confine, NoProgramAndNoProcessCanBeStarted)
+TEST_F(Sandbox, NoProgramAndNoProcessCanBeStarted)
 {
     EXPECT_EQ(errno_in_child([] { return execl("/bin/true", "true", nullptr); }), EPERM);
     EXPECT_EQ(
@@ -105,7 +105,7 @@ TEST_F(Confine, NoProgramAndNoProcessCanBeStarted)
         EPERM);
 }
 
-TEST_F(Confine, OtherProcessesCannotBeReached)
+TEST_F(Sandbox, OtherProcessesCannotBeReached)
 {
     const pid_t parent = getpid();
     EXPECT_EQ(errno_in_child([&] { return kill(parent, SIGCONT); }), EPERM);
@@ -128,7 +128,7 @@ TEST_F(Confine, OtherProcessesCannotBeReached)
     EXPECT_EQ(errno_in_child([&] { return fcntl(STDOUT_FILENO, F_SETOWN, parent); }), EPERM);
 }
 
-TEST_F(Confine, ResourcesAreLimited)
+TEST_F(Sandbox, ResourcesAreLimited)
 {
     const auto limit_of = [](__rlimit_resource what) {
         return [what] {
@@ -148,7 +148,7 @@ TEST_F(Confine, ResourcesAreLimited)
     EXPECT_LE(run_in_child(limit_of(RLIMIT_NOFILE), limits, ""), 64U);
 }
 
-TEST_F(Confine, ReadingCanBeConfinedToAFolder)
+TEST_F(Sandbox, ReadingCanBeConfinedToAFolder)
 {
     const ChildLimits limits{.readable_below = folder_ / "inside"};
     const auto error_of_opening = [&](const std::string& file) {
@@ -164,12 +164,12 @@ TEST_F(Confine, ReadingCanBeConfinedToAFolder)
     EXPECT_EQ(error_of_opening(path("inside/link")), EACCES);
 }
 
-TEST_F(Confine, ConfiningToAFolderThatIsNotThereIsAnError)
+TEST_F(Sandbox, ConfiningToAFolderThatIsNotThereIsAnError)
 {
     EXPECT_THROW((void)errno_in_child([] { return 0L; }, {.readable_below = folder_ / "absent"}), Error);
 }
 
-TEST_F(Confine, LandlockAloneForbidsWriting)
+TEST_F(Sandbox, LandlockAloneForbidsWriting)
 {
     const std::string file = path("inside/file");
     const auto error_of = [](const std::function<long()>& call) {
@@ -194,7 +194,7 @@ bool be_an_old_kernel()
     return seccomp_load(filter) == 0;
 }
 
-TEST_F(Confine, KernelWithoutProtectionsStillReadsAndSaysSo)
+TEST_F(Sandbox, KernelWithoutProtectionsStillReadsAndSaysSo)
 {
     EXPECT_EQ(result_in_fork([] {
                   const auto seven = [] { return 7; };

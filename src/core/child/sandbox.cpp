@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/child/confine.hpp"
+#include "core/child/sandbox.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,6 +22,8 @@
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#include "core/descriptor.hpp"
 
 namespace estampe {
 namespace {
@@ -140,29 +142,9 @@ uint64_t forbidden_of(long version)
     return forbidden;
 }
 
-/// A file descriptor that its destructor closes.
-class OwnedFile {
-public:
-    explicit OwnedFile(long number) : number_(static_cast<int>(number)) {}
-
-    ~OwnedFile()
-    {
-        if (number_ >= 0)
-            close(number_);
-    }
-
-    OwnedFile(const OwnedFile&) = delete;
-    OwnedFile& operator=(const OwnedFile&) = delete;
-
-    [[nodiscard]] int number() const { return number_; }
-
-private:
-    int number_;
-};
-
-bool allow_reading(const OwnedFile& rules, const std::filesystem::path& folder)
+bool allow_reading(const Descriptor& rules, const std::filesystem::path& folder)
 {
-    const OwnedFile below(open(folder.empty() ? "." : folder.c_str(), O_PATH | O_CLOEXEC | O_DIRECTORY));
+    const Descriptor below(open(folder.empty() ? "." : folder.c_str(), O_PATH | O_CLOEXEC | O_DIRECTORY));
     const landlock_path_beneath_attr rule{.allowed_access = reading, .parent_fd = below.number()};
     return below.number() >= 0 &&
            syscall(SYS_landlock_add_rule, rules.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0U) == 0;
@@ -177,7 +159,8 @@ bool forbid_files(const std::optional<std::filesystem::path>& readable_below)
         return false;
     landlock_ruleset_attr attributes{};
     attributes.handled_access_fs = forbidden_of(version) | (readable_below ? reading : 0);
-    const OwnedFile rules(syscall(SYS_landlock_create_ruleset, &attributes, sizeof(attributes), 0U));
+    const Descriptor rules(
+        static_cast<int>(syscall(SYS_landlock_create_ruleset, &attributes, sizeof(attributes), 0U)));
     return rules.number() >= 0 && (!readable_below || allow_reading(rules, *readable_below)) &&
            prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
            syscall(SYS_landlock_restrict_self, rules.number(), 0U) == 0;

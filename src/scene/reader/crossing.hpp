@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lists the members of all structs that a Scene consists of, for send() and receive() of
+// load_scene() decodes files in a child process (core/child/child.hpp), because the files come from
+// strangers. The scene then crosses to this process as bytes, and check_received_scene() checks what arrived.
+//
+// This header lists the members of all structs that a Scene consists of, for send() and receive() of
 // core/child/exchange.hpp. Each list is a structured binding, so that a new member that is missing in its
 // list is an error of the compiler. The switches over enumerations have no default for the same reason.
 
@@ -287,5 +290,11 @@ auto members(T& scene)
                     frames_per_s, variants, extensions_used, extensions_ignored, files, missing_files,
                     file_unit_m, warnings, cells, portals);
 }
+
+/// Checks a scene that another process sent, so that code that draws the scene need not check it again: all
+/// indices are in range, the lengths of arrays agree, nodes form a forest. Throws Error with `where` as its
+/// place if the scene is damaged. Replaces control characters in texts that are printed. Cost: linear in
+/// indices and nodes, about 1 ms for a million triangles.
+void check_received_scene(Scene& scene, const std::string& where);
 
 } // namespace estampe

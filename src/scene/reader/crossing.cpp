@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/reader/check_scene.hpp"
+#include "scene/reader/crossing.hpp"
 
 #include <algorithm>
 #include <span>
