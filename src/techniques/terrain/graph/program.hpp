@@ -16,6 +16,8 @@
 
 #include <glm/glm.hpp>
 
+#include <estampe/terrain.hpp>
+
 #include "techniques/terrain/terrain.glsl.h"
 
 namespace estampe::terrain {
