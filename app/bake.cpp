@@ -9,6 +9,7 @@
 
 #include <estampe/bake.hpp>
 #include <estampe/error.hpp>
+#include <estampe/work_limits.hpp>
 
 #include "commands.hpp"
 #include "core/file.hpp"
@@ -199,7 +200,7 @@ bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
 
 void run(const BakeCommand& command)
 {
-    const JobLimits limits(command.limits);
+    const LimitedWork limits(command.limits);
     check_output(command.output, {command.scene});
     const std::filesystem::path partial = command.output + ".partial";
     check_output(partial, {command.scene});

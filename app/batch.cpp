@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <estampe/error.hpp>
+#include <estampe/work_limits.hpp>
 
 #include "commands.hpp"
 #include "core/failure.hpp"
@@ -535,7 +536,7 @@ void conclude(const BatchCommand& command, const std::vector<JobResult>& results
 
 void run(const BatchCommand& command)
 {
-    const JobLimits limits(command.limits);
+    const LimitedWork limits(command.limits);
     const std::vector<BatchJob> jobs =
         shard_of(read_jobs(command.jobs, command.confine.jobs), command.shard, command.shards);
     check_output_inside(command.report, command.confine.of(command.report));

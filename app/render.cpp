@@ -13,13 +13,13 @@
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
+#include <estampe/work_limits.hpp>
 
 #include "commands.hpp"
 #include "core/exr.hpp"
 #include "core/file.hpp"
 #include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
-#include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
 #include "core/spread.hpp"
 #include "core/text.hpp"
@@ -414,7 +414,7 @@ void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand&
 void run(const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
-    const JobLimits limits(draw.limits);
+    const LimitedWork limits(draw.limits);
     check_outputs(command, {draw.scene, draw.lightmap});
     if (command.film) {
         draw_film(command);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 namespace estampe {
 
@@ -20,6 +21,24 @@ struct WorkLimits {
     double max_seconds = std::numeric_limits<double>::infinity();
 
     bool operator==(const WorkLimits&) const = default;
+};
+
+class JobLimits;
+
+/// Limits the work of the current thread until this object is destroyed, for functions without a parameter
+/// for limits, such as load_image(). The memory limit holds for each function that the thread calls, the time
+/// limit for all of them together, from the creation of this object. Such a function throws Error if it would
+/// exceed a limit. Objects may be nested: the lower limits apply. Must be destroyed in the thread that
+/// created it, in reverse order of creation.
+class LimitedWork {
+public:
+    explicit LimitedWork(const WorkLimits& limits);
+    ~LimitedWork();
+    LimitedWork(const LimitedWork&) = delete;
+    LimitedWork& operator=(const LimitedWork&) = delete;
+
+private:
+    std::unique_ptr<JobLimits> limits_;
 };
 
 } // namespace estampe

@@ -19,6 +19,10 @@ public:
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
 
+    Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+
+    Descriptor& operator=(Descriptor&&) = delete;
+
     [[nodiscard]] int number() const { return number_; }
 
     /// Returns the number, which the caller closes from now on.

@@ -354,7 +354,7 @@ Lightmap load_lightmap(const std::filesystem::path& path, const ReadScope& scope
         constexpr uint64_t max_file_bytes = uint64_t{1} << 32;
         return baked_lightmap(decode_exr(read_file(path, max_file_bytes, scope), path.string()), path);
     };
-    Lightmap map = run_in_child(read, limits_for_file(path), path.string());
+    Lightmap map = run_in_child(read, limits_for_file(path, scope), path.string());
     if (!is_well_formed(map)) {
         throw Error("what was read from it came back damaged", path.string());
     }

@@ -376,7 +376,8 @@ bool is_well_formed(const Image& image)
 
 Image load_image(const std::filesystem::path& path, const ReadScope& scope)
 {
-    Image image = run_in_child([&] { return read_image(path, scope); }, limits_for_file(path), path.string());
+    Image image =
+        run_in_child([&] { return read_image(path, scope); }, limits_for_file(path, scope), path.string());
     if (!is_well_formed(image)) {
         throw Error("what was read from it came back damaged", path.string());
     }

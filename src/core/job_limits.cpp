@@ -47,6 +47,10 @@ JobLimits::OfThread JobLimits::of_thread()
     return current;
 }
 
+LimitedWork::LimitedWork(const WorkLimits& limits) : limits_(std::make_unique<JobLimits>(limits)) {}
+
+LimitedWork::~LimitedWork() = default;
+
 bool is_time_up()
 {
     return current.end != JobLimits::Clock::time_point::max() && JobLimits::Clock::now() >= current.end;

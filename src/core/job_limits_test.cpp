@@ -71,6 +71,15 @@ TEST(JobLimits, memory_is_that_of_the_process_and_of_the_request)
     EXPECT_EQ(refusal(1), "allowed");
 }
 
+TEST(JobLimits, LimitedWork_limits_the_thread_until_it_is_destroyed)
+{
+    {
+        const LimitedWork limits(time_of(0.0));
+        EXPECT_THROW(check_time(), TimeIsUp);
+    }
+    EXPECT_NO_THROW(check_time());
+}
+
 TEST(JobLimits, time_ends_jobs_that_report_progress)
 {
     {

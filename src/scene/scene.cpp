@@ -184,7 +184,8 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
 {
     const JobLimits limits(options.limits); // The child process has them, too
     const std::string where = path.string();
-    Scene scene = run_in_child([&] { return read_whole(path, options); }, limits_for_file(path), where);
+    Scene scene =
+        run_in_child([&] { return read_whole(path, options); }, limits_for_file(path, options.scope), where);
     check_received_scene(scene, where);
     check_drawn_size(scene, where);
     report_progress(1.0);

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -25,6 +26,7 @@
 #include <estampe/error.hpp>
 
 #include "core/child/sandbox.hpp"
+#include "core/descriptor.hpp"
 #include "core/free_memory.hpp"
 #include "core/job_limits.hpp"
 #include "core/long_jobs.hpp"
@@ -46,7 +48,7 @@ namespace {
 constexpr const char* try_others = "check that the file opens in other programs, or convert it to glTF";
 
 /// Kind of a message from the child process. The message's content follows.
-enum class Message : uint8_t { progress, result, error, out_of_memory, cannot_confine };
+enum class Message : uint8_t { progress, result, error, out_of_memory };
 
 bool is_valid(Message message)
 {
@@ -55,7 +57,6 @@ bool is_valid(Message message)
     case Message::result:
     case Message::error:
     case Message::out_of_memory:
-    case Message::cannot_confine:
         return true;
     }
     return false;
@@ -111,8 +112,7 @@ void take_default_signals()
     (void)sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// Takes the rights of the child process away. Returns false if a right remains that `limits` exclude.
-bool enter_limits(const ChildLimits& limits, int pipe_end)
+void enter_limits(const ChildLimits& limits, int pipe_end)
 {
     (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
     (void)prctl(PR_SET_NAME, "estampe-read");
@@ -123,9 +123,8 @@ bool enter_limits(const ChildLimits& limits, int pipe_end)
             (void)dup2(nowhere, stream);
     drop_shared(pipe_end);
     limit_resources(limits.cpu_s, limits.memory_bytes);
-    const bool has_files_forbidden = forbid_files(limits.readable_below);
+    (void)forbid_files(limits.scope);
     (void)forbid_system_calls();
-    return has_files_forbidden || !limits.readable_below;
 }
 
 void write_to_pipe(int pipe_end, std::span<const std::byte> bytes)
@@ -171,10 +170,8 @@ void do_work(ByteWriter& writer, const std::function<Send()>& work)
     // An exception that left this function would run on in the parent's code.
     try {
         ByteWriter writer([pipe_end](std::span<const std::byte> bytes) { write_to_pipe(pipe_end, bytes); });
-        if (enter_limits(limits, pipe_end))
-            do_work(writer, work);
-        else
-            send(writer, Message::cannot_confine);
+        enter_limits(limits, pipe_end);
+        do_work(writer, work);
         writer.flush();
     } catch (const std::bad_alloc&) {
         _exit(lacked_memory);
@@ -193,8 +190,8 @@ using Clock = std::chrono::steady_clock;
 /// A running child process. The destructor ends it.
 class Running {
 public:
-    Running(pid_t process, int pipe_end, double wall_s)
-        : process_(process), pipe_end_(pipe_end),
+    Running(pid_t process, Descriptor pipe_end, double wall_s)
+        : process_(process), pipe_end_(std::move(pipe_end)),
           end_(Clock::now() +
                std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wall_s)))
     {
@@ -204,7 +201,6 @@ public:
     {
         if (process_ > 0)
             end();
-        close(pipe_end_);
     }
 
     Running(const Running&) = delete;
@@ -220,13 +216,13 @@ public:
                 is_late_ = true;
                 return 0;
             }
-            pollfd waiting{.fd = pipe_end_, .events = POLLIN, .revents = 0};
+            pollfd waiting{.fd = pipe_end_.number(), .events = POLLIN, .revents = 0};
             const int ready = poll(&waiting, 1, tick_ms);
             if (ready == 0)
                 report_progress(share_);
             if (ready <= 0)
                 continue;
-            const ssize_t count = read(pipe_end_, target.data(), target.size());
+            const ssize_t count = read(pipe_end_.number(), target.data(), target.size());
             if (count >= 0 || errno != EINTR)
                 return static_cast<size_t>(std::max<ssize_t>(count, 0));
         }
@@ -267,7 +263,7 @@ private:
     }
 
     pid_t process_;
-    int pipe_end_;
+    Descriptor pipe_end_;
     Clock::time_point end_;
     double share_ = 0.0;
     bool is_late_ = false;
@@ -340,12 +336,6 @@ void take_messages(Running& running, const std::function<void(ByteReader&)>& rec
             throw_error(reader, where);
         case Message::out_of_memory:
             fail_for_memory(limits, where);
-        case Message::cannot_confine:
-            throw Error(fmt::format("reading cannot be confined to {}: {}",
-                                    limits.readable_below.value_or("a folder").string(),
-                                    missing_protections().empty() ? "it is no folder that can be opened"
-                                                                  : "this kernel lacks Landlock"),
-                        where, "name another folder, or read without this limit");
         }
     }
     receive_result(reader);
@@ -355,27 +345,45 @@ void take_messages(Running& running, const std::function<void(ByteReader&)>& rec
         reader.damaged();
 }
 
+struct Pipe {
+    Descriptor from_child;
+    Descriptor to_parent;
+};
+
+Pipe open_pipe(const std::string& where)
+{
+    std::array<int, 2> numbers{};
+    if (pipe2(numbers.data(), O_CLOEXEC) != 0)
+        throw Error(fmt::format("cannot open a pipe ({})", std::strerror(errno)), where);
+    Pipe ends{.from_child = Descriptor(numbers[0]), .to_parent = Descriptor(numbers[1])};
+    constexpr int pipe_bytes = 1 << 20; // fewer changes between the two processes
+    (void)fcntl(numbers[0], F_SETPIPE_SZ, pipe_bytes);
+    // The child replaces the standard streams. If this process has closed one of them, the pipe may have its
+    // number.
+    if (numbers[1] <= STDERR_FILENO) {
+        const int higher = fcntl(numbers[1], F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+        if (higher < 0)
+            throw Error(fmt::format("cannot open a pipe ({})", std::strerror(errno)), where);
+        ends.to_parent.reset(higher);
+    }
+    return ends;
+}
+
 } // namespace
 
 void run(const std::function<Send()>& work, const std::function<void(ByteReader&)>& receive,
          const ChildLimits& limits, const std::string& where)
 {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw Error(fmt::format("cannot open a pipe ({})", std::strerror(errno)), where);
-    constexpr int pipe_bytes = 1 << 20; // fewer changes between the two processes
-    (void)fcntl(ends[0], F_SETPIPE_SZ, pipe_bytes);
+    auto [from_child, to_parent] = open_pipe(where);
     const pid_t process = fork();
     if (process == 0)
-        be_child(ends[1], work, limits);
+        be_child(to_parent.number(), work, limits);
     const int fork_errno = errno;
-    close(ends[1]);
-    if (process < 0) {
-        close(ends[0]);
+    to_parent.reset(-1);
+    if (process < 0)
         throw Error(fmt::format("cannot start a process to read it in ({})", std::strerror(fork_errno)),
                     where);
-    }
-    Running running(process, ends[0], limits.wall_s);
+    Running running(process, std::move(from_child), limits.wall_s);
     try {
         take_messages(running, receive, limits, where);
     } catch (const EndsEarly&) {
@@ -387,11 +395,11 @@ void run(const std::function<Send()>& work, const std::function<void(ByteReader&
 
 } // namespace child
 
-ChildLimits limits_for_file(const std::filesystem::path& path)
+ChildLimits limits_for_file(const std::filesystem::path& path, const ReadScope& scope)
 {
-    // Half a minute suffices for the largest pictures that a scene may have, and for a hundred million
-    // vertices.
-    constexpr uint64_t base_s = 60;
+    // Half a minute suffices for the largest picture and for a hundred million vertices. A small file may
+    // name some hundreds of pictures beside it.
+    constexpr uint64_t base_s = 600;
     constexpr uint64_t each_mebibyte_s = 4;
     constexpr uint64_t most_s = 7200;
     // Twice the memory of the largest pictures that a scene may have.
@@ -400,7 +408,7 @@ ChildLimits limits_for_file(const std::filesystem::path& path)
     std::error_code failed;
     const uintmax_t found = std::filesystem::file_size(path, failed);
     const uint64_t size = failed ? 0 : std::min<uint64_t>(found, uint64_t{1} << 40U);
-    ChildLimits limits;
+    ChildLimits limits{.scope = scope};
     limits.cpu_s = static_cast<uint32_t>(std::min(base_s + each_mebibyte_s * (size >> 20U), most_s));
     limits.wall_s = 2.0 * limits.cpu_s;
     // A small file may name large buffers beside it.

@@ -13,9 +13,10 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <type_traits>
+
+#include <estampe/read_scope.hpp>
 
 #include "core/child/exchange.hpp"
 
@@ -28,14 +29,14 @@ struct ChildLimits {
     /// Memory that the child may map in addition to the parent's; not enforced under sanitizers. Also the
     /// largest result that the parent accepts.
     uint64_t memory_bytes = uint64_t{4} << 30;
-    /// If set, the child cannot open files and folders outside of this folder. Throws Error if the kernel
-    /// cannot enforce this. Empty: the child reads all files that this process may read.
-    std::optional<std::filesystem::path> readable_below;
+    /// If limited, the child cannot open files outside of these folders and of the system's folders of
+    /// sandbox.hpp. Kernels without Landlock do not enforce this; open_to_read() does on any kernel.
+    ReadScope scope;
 };
 
 /// Limits that suffice to decode a file of this size and the pictures that it names: the time and the memory
-/// grow with the size.
-[[nodiscard]] ChildLimits limits_for_file(const std::filesystem::path& path);
+/// grow with the size. `scope` becomes that of the limits.
+[[nodiscard]] ChildLimits limits_for_file(const std::filesystem::path& path, const ReadScope& scope);
 
 namespace child {
 

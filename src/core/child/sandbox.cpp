@@ -7,8 +7,10 @@
 #include <cinttypes>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -142,27 +144,38 @@ uint64_t forbidden_of(long version)
     return forbidden;
 }
 
-bool allow_reading(const Descriptor& rules, const std::filesystem::path& folder)
+/// Allows reading of a file, or of all files and folders below a folder. What does not exist stays forbidden.
+void allow_reading(const Descriptor& rules, const std::filesystem::path& path)
 {
-    const Descriptor below(open(folder.empty() ? "." : folder.c_str(), O_PATH | O_CLOEXEC | O_DIRECTORY));
-    const landlock_path_beneath_attr rule{.allowed_access = reading, .parent_fd = below.number()};
-    return below.number() >= 0 &&
-           syscall(SYS_landlock_add_rule, rules.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0U) == 0;
+    const Descriptor allowed(open(path.empty() ? "." : path.c_str(), O_PATH | O_CLOEXEC));
+    std::error_code failed;
+    const uint64_t access = std::filesystem::is_directory(path.empty() ? "." : path, failed)
+                                ? reading
+                                : uint64_t{LANDLOCK_ACCESS_FS_READ_FILE};
+    const landlock_path_beneath_attr rule{.allowed_access = access, .parent_fd = allowed.number()};
+    (void)syscall(SYS_landlock_add_rule, rules.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0U);
 }
 
 } // namespace
 
-bool forbid_files(const std::optional<std::filesystem::path>& readable_below)
+bool forbid_files(const ReadScope& scope)
 {
     const long version = landlock_version();
     if (version < 1)
         return false;
     landlock_ruleset_attr attributes{};
-    attributes.handled_access_fs = forbidden_of(version) | (readable_below ? reading : 0);
+    attributes.handled_access_fs = forbidden_of(version) | (scope.is_limited() ? reading : 0);
     const Descriptor rules(
         static_cast<int>(syscall(SYS_landlock_create_ruleset, &attributes, sizeof(attributes), 0U)));
-    return rules.number() >= 0 && (!readable_below || allow_reading(rules, *readable_below)) &&
-           prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+    if (rules.number() < 0)
+        return false;
+    if (scope.is_limited()) {
+        for (const char* const system : {"/proc/meminfo", "/proc/self", "/sys/fs/cgroup"})
+            allow_reading(rules, system);
+        for (const std::filesystem::path& folder : scope.folders)
+            allow_reading(rules, folder);
+    }
+    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
            syscall(SYS_landlock_restrict_self, rules.number(), 0U) == 0;
 }
 

@@ -5,9 +5,9 @@
 // used to change files, start programs or reach the network.
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <string>
+
+#include <estampe/read_scope.hpp>
 
 namespace estampe {
 
@@ -20,10 +20,12 @@ void limit_resources(uint32_t cpu_s, uint64_t memory_bytes);
 /// card, and closes all files except 0, 1, 2 and `kept_file`.
 void drop_shared(int kept_file);
 
-/// Forbids this process to write, create, remove and execute files, through Landlock. If `readable_below` is
-/// set, files and folders outside of this folder cannot be opened either; already open files stay open.
-/// Returns false if the kernel lacks Landlock. Source: Linux, "Landlock: unprivileged access control".
-[[nodiscard]] bool forbid_files(const std::optional<std::filesystem::path>& readable_below);
+/// Forbids this process to write, create, remove and execute files, through Landlock. If `scope` is limited,
+/// files and folders outside of its folders cannot be opened either, except what tells how much memory is
+/// free: /proc/meminfo, /proc/self and /sys/fs/cgroup. Folders that do not exist are left out. Already open
+/// files stay open. Returns false if the kernel lacks Landlock. Source: Linux, "Landlock: unprivileged access
+/// control".
+[[nodiscard]] bool forbid_files(const ReadScope& scope);
 
 /// Forbids all system calls of this process that a decoder does not need, through a seccomp filter. Refused
 /// calls return EPERM: sockets, opening files for writing, executing, tracing, new processes, and signals to

@@ -156,10 +156,14 @@ namespace {
 tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
 {
     const std::filesystem::path path = kept_map(style);
+    // Other users could write files into a folder that is not private, for this program to decode.
+    const auto may_use_folder = [&] {
+        return !path.empty() && fault_of_private_folder(path.parent_path()).empty();
+    };
     std::error_code missing;
-    if (!path.empty() && std::filesystem::exists(path, missing)) {
+    if (may_use_folder() && std::filesystem::exists(path, missing)) {
         try {
-            return tam::load_tam(path);
+            return tam::load_tam(path, ReadScope::beside(path));
         } catch (const Error&) {
             // A damaged cache file is ignored: the tonal art map is drawn and written again below.
         }
@@ -168,7 +172,9 @@ tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
     if (!path.empty()) {
         try {
             make_private_folder(path.parent_path());
-            tam::save_tam(map, path);
+            if (may_use_folder()) {
+                tam::save_tam(map, path);
+            }
         } catch (const std::exception&) {
             // On a full or read-only disk the tonal art map is not cached, and is drawn again next time.
         }

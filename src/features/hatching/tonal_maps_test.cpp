@@ -29,6 +29,8 @@ public:
     CacheFolder(const CacheFolder&) = delete;
     CacheFolder& operator=(const CacheFolder&) = delete;
 
+    [[nodiscard]] std::filesystem::path path() const { return folder_.path(); }
+
 private:
     test::Folder folder_;
     std::string before_;
@@ -60,6 +62,20 @@ TEST(TonalMaps, ThatWereKeptAndDamagedAreDrawnAnew)
     std::ofstream(kept_map(choice.drawn)) << "no map";
     EXPECT_EQ(load_map(choice).level_of_tone, drawn.level_of_tone);
     EXPECT_GT(std::filesystem::file_size(kept_map(choice.drawn)), 1000U);
+}
+
+TEST(TonalMaps, AreNotKeptWhereOtherUsersWrite)
+{
+    using std::filesystem::perms;
+    const CacheFolder folder;
+    const MapChoice choice = small_map(1);
+    const hatch::MapData drawn = load_map(choice);
+    std::filesystem::rename(kept_map(small_map(1).drawn), kept_map(small_map(2).drawn));
+    EXPECT_EQ(load_map(small_map(2)).level_of_tone, drawn.level_of_tone) << "the file of the cache is used";
+    std::filesystem::permissions(folder.path() / "estampe", perms::all);
+    EXPECT_NE(load_map(small_map(2)).level_of_tone, drawn.level_of_tone);
+    static_cast<void>(load_map(choice));
+    EXPECT_FALSE(std::filesystem::exists(kept_map(choice.drawn)));
 }
 
 } // namespace

@@ -313,7 +313,7 @@ std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file, 
                         scope);
         return gltf::NamedMaps(data).take();
     };
-    std::optional<Lightmap> map = run_in_child(read, limits_for_file(scene_file), file);
+    std::optional<Lightmap> map = run_in_child(read, limits_for_file(scene_file, scope), file);
     if (map && !is_well_formed(*map)) {
         throw Error("what was read from it came back damaged", file);
     }

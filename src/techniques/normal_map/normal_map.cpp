@@ -90,8 +90,8 @@ auto members(T& map)
 
 HeightMap load_height_map(const std::filesystem::path& path, const ReadScope& scope)
 {
-    HeightMap map =
-        run_in_child([&] { return decode_height_map(path, scope); }, limits_for_file(path), path.string());
+    HeightMap map = run_in_child([&] { return decode_height_map(path, scope); }, limits_for_file(path, scope),
+                                 path.string());
     if (map.heights.empty() || map.heights.size() != uint64_t{map.width} * map.height) {
         throw Error("what was read from it came back damaged", path.string());
     }

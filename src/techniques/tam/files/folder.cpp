@@ -299,7 +299,7 @@ PaintedMap decode_map(const fs::path& path, const ReadScope& scope)
 PaintedMap read_map(const fs::path& path, const ReadScope& scope)
 {
     PaintedMap painted =
-        run_in_child([&] { return decode_map(path, scope); }, limits_for_file(path), path.string());
+        run_in_child([&] { return decode_map(path, scope); }, limits_for_file(path, scope), path.string());
     check_map(painted.map, path.string());
     return painted;
 }

@@ -250,8 +250,8 @@ PictureHeights decode_heights(const std::filesystem::path& path, const ReadScope
 
 HeightTexture append_file(Program& program, const std::filesystem::path& path, const ReadScope& scope)
 {
-    const PictureHeights heights =
-        run_in_child([&] { return decode_heights(path, scope); }, limits_for_file(path), path.string());
+    const PictureHeights heights = run_in_child([&] { return decode_heights(path, scope); },
+                                                limits_for_file(path, scope), path.string());
     if (heights.texels.empty() || heights.texels.size() != uint64_t{heights.columns} * heights.rows) {
         throw Error("what was read from it came back damaged", path.string());
     }
