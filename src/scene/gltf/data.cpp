@@ -144,6 +144,7 @@ void Data::load_buffers(const Container& container)
     for (const auto& [uri, index] : longest) {
         bytes_of[uri] = named_bytes(index);
         input_bytes += bytes_of[uri].size();
+        warn_of_excess(index, bytes_of[uri].size());
     }
     buffers_.resize(document_.buffers.size());
     for (size_t i = 0; i < buffers_.size(); ++i) {
@@ -174,6 +175,21 @@ std::span<const std::byte> Data::named_bytes(size_t index)
                                        : read_file_start(file_of(source.uri), source.byte_length, scope_));
     } catch (const Error& error) {
         fail(fmt::format("/buffers/{}/uri", index), error.what());
+    }
+}
+
+void Data::warn_of_excess(size_t index, uint64_t read_bytes)
+{
+    const BufferSource& source = document_.buffers[index];
+    std::error_code failed;
+    const uint64_t there =
+        is_data_uri(source.uri) ? read_bytes : std::filesystem::file_size(file_of(source.uri), failed);
+    constexpr uint64_t most_padding = 3;
+    if (!failed && there > source.byte_length + most_padding) {
+        warn(fmt::format("/buffers/{}/byteLength", index),
+             fmt::format("the buffer has {} bytes, and there are {}; if bytes were added by mistake, the "
+                         "meshes are damaged",
+                         source.byte_length, there));
     }
 }
 

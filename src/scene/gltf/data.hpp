@@ -151,6 +151,8 @@ public:
 private:
     void load_buffers(const Container& container);
     [[nodiscard]] std::span<const std::byte> named_bytes(size_t index);
+    /// Warns if a buffer's file or data uri is longer than the buffer. `read_bytes` is what was read of it.
+    void warn_of_excess(size_t index, uint64_t read_bytes);
     void check_is_fallback(size_t index, const Container& container) const;
     [[nodiscard]] std::filesystem::path file_of(const std::string& uri) const;
     void open_view(size_t index);

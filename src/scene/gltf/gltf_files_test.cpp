@@ -54,6 +54,13 @@ TEST_F(GltfFiles, embedded_buffer)
 {
     buffer_["uri"] = "data:application/octet-stream;base64," + base64(file_.binary);
     EXPECT_EQ(load_gltf(write()).meshes[0].primitives[0].positions[1], glm::vec3(1, 0, 0));
+    EXPECT_TRUE(load_gltf(write()).warnings.empty());
+    std::vector<std::byte> longer = file_.binary;
+    longer.resize(longer.size() + 4);
+    buffer_["uri"] = "data:application/octet-stream;base64," + base64(longer);
+    const Scene scene = load_gltf(write());
+    ASSERT_FALSE(scene.warnings.empty());
+    EXPECT_NE(scene.warnings[0].find("#/buffers/0/byteLength"), std::string::npos) << scene.warnings[0];
 }
 
 TEST_F(GltfFiles, binary_file)

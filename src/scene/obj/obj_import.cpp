@@ -19,7 +19,7 @@ using obj::Piece;
 constexpr float grey = 0.6F;
 
 /// Adds all vertices as points. A file with only vertices is a point cloud from a scanner.
-void add_cloud(obj::Data& data, std::vector<std::string>& warnings)
+void add_cloud(obj::Data& data)
 {
     Piece& cloud = data.pieces.emplace_back();
     cloud.topology = Topology::points;
@@ -28,8 +28,17 @@ void add_cloud(obj::Data& data, std::vector<std::string>& warnings)
     cloud.vertices.resize(data.positions.size());
     for (uint32_t i = 0; i < data.positions.size(); ++i)
         cloud.vertices[i].position = i;
-    warnings.push_back(fmt::format("has no faces, lines or points: its {} vertices are drawn as dots",
-                                   data.positions.size()));
+}
+
+/// Returns how many positions no face, line or point uses. An OBJ file does not say how many faces follow,
+/// but a file that was cut off, or that lost lines, has vertices without faces.
+size_t unused_positions(const obj::Data& data)
+{
+    std::vector<bool> is_used(data.positions.size(), false);
+    for (const Piece& piece : data.pieces)
+        for (const obj::Corner& corner : piece.vertices)
+            is_used[corner.position] = true;
+    return static_cast<size_t>(std::count(is_used.begin(), is_used.end(), false));
 }
 
 /// Returns the bounds of each object, over all its pieces.
@@ -217,9 +226,20 @@ Scene import_obj(Input& input, const std::filesystem::path* path, const ReadScop
     const bool is_cloud = std::all_of(data.pieces.begin(), data.pieces.end(),
                                       [](const Piece& piece) { return piece.indices.empty(); }) &&
                           losses.faces + losses.said_faces + losses.curves == 0;
-    if (is_cloud && !data.positions.empty())
-        add_cloud(data, scene.warnings);
     warn_of_losses(losses, data.positions.size(), scene.warnings);
+    const char* const end = losses.is_cut_off || input.line_was_ended()
+                                ? ""
+                                : "; its last line has no line end, so it may be cut off";
+    if (is_cloud && !data.positions.empty()) {
+        add_cloud(data);
+        scene.warnings.push_back(
+            fmt::format("has no faces, lines or points: its {} vertices are drawn as dots{}",
+                        data.positions.size(), end));
+    } else if (const size_t unused = unused_positions(data); unused > 0) {
+        scene.warnings.push_back(
+            fmt::format("{} of {} vertices belong to no face, line or point and are not drawn{}", unused,
+                        data.positions.size(), end));
+    }
     const glm::vec3 default_color(data.colors.empty() ? grey : 1.0F);
     obj::read_materials(path != nullptr ? *path : name,
                         path != nullptr ? data.libraries : std::vector<std::string>{}, data.materials,

@@ -279,6 +279,18 @@ TEST_F(ObjImport, AFileThatEndsInALineSaysSo)
     EXPECT_EQ(all_warnings(load(whole.substr(0, whole.size() - 1))), "");
 }
 
+TEST_F(ObjImport, VerticesWithoutFacesTellOfACut)
+{
+    const std::string cut = cube_corners + "f 1 2 3\nf 3 4 1\n";
+    EXPECT_NE(all_warnings(load(cut)).find("4 of 8 vertices belong to no face"), std::string::npos);
+    EXPECT_EQ(all_warnings(load(cut)).find("may be cut off"), std::string::npos);
+    const std::string in_last_number = cut.substr(0, cut.size() - 1);
+    EXPECT_NE(all_warnings(load(in_last_number)).find("may be cut off"), std::string::npos);
+    EXPECT_EQ(all_warnings(load(cube_corners + cube_faces)), "");
+    EXPECT_NE(all_warnings(load("v 0 0 0\nv 1 0 0\nv 0 1")).find("cut off"), std::string::npos);
+    EXPECT_NE(all_warnings(load("v 0 0 0\nv 1 0 0\nv 0 1 0")).find("may be cut off"), std::string::npos);
+}
+
 TEST_F(ObjImport, ACommentThatCountsTellsOfACut)
 {
     const std::string counts = "# OBJ File\n#\n# Vertices: 8\n# Faces: 6\n#\n";

@@ -287,12 +287,28 @@ TEST(PlyImport, ACutFileSaysHowMuchIsMissing)
         for (const int32_t index : {0, 1, 2})
             put_ordered(binary, index, false);
     }
-    EXPECT_EQ(all_warnings(read_ply(binary + "trailing")), "");
+    EXPECT_EQ(all_warnings(read_ply(binary + "\n")), "") << "some programs write a last line end";
     EXPECT_NE(all_warnings(read_ply(binary.substr(0, binary.size() - 14))).find("says 4 faces, has 2"),
               std::string::npos);
     const std::string cloud = head("ascii", 5) + end + three_points;
     EXPECT_NE(all_warnings(read_ply(cloud)).find("says 5 vertices, has 3"), std::string::npos);
     EXPECT_EQ(first_primitive(read_ply(cloud)).indices.size(), 3U);
+}
+
+TEST(PlyImport, RowsThatTheHeaderDoesNotCountAreWarnedAbout)
+{
+    const std::string text = head("ascii", 3, faces(1)) + end + three_points + "3 0 1 2\n";
+    EXPECT_EQ(all_warnings(read_ply(text + "\n \n")), "");
+    EXPECT_NE(all_warnings(read_ply(text + "3 0 1 2\n")).find("goes on after the last element"),
+              std::string::npos);
+    EXPECT_NE(all_warnings(read_ply(text.substr(0, text.size() - 1) + " 7\n")).find("1 lines have too many"),
+              std::string::npos);
+    std::string binary = head("binary_little_endian", 3) + end;
+    for (int i = 0; i < 9; ++i)
+        put_ordered(binary, static_cast<float>(i), false);
+    EXPECT_EQ(all_warnings(read_ply(binary)), "");
+    EXPECT_NE(all_warnings(read_ply(binary + "\ntrailing")).find("goes on after the last element"),
+              std::string::npos);
 }
 
 TEST(PlyImport, NonsenseIsCountedOrRefused)

@@ -169,6 +169,10 @@ private:
     {
         for (size_t i = 0; i < header_.elements.size(); ++i)
             read_element(rows, i);
+        if (!is_cut_ && rows.goes_on())
+            data_.warnings.emplace_back(
+                "goes on after the last element that its header counts: what is drawn "
+                "may be shifted or incomplete");
     }
 
     template <typename Rows>
@@ -189,6 +193,7 @@ private:
             // In a truncated text file, the last number may lack digits.
             const bool is_suspect = rows.may_be_cut() && (count + 1 < element.count || !is_last);
             if (is_whole && !is_suspect) {
+                long_rows_ += rows.has_more_in_row() ? 1 : 0;
                 take_row(kind);
             } else if (Rows::goes_on_after_short_row && !rows.may_be_cut()) {
                 ++short_rows_;
@@ -487,6 +492,7 @@ private:
         warn(bad_faces_, "faces left out: they name vertices that are not there");
         warn(short_faces_, "faces left out: they have fewer than three corners");
         warn(short_rows_, "lines have too few numbers: what they are of is left out");
+        warn(long_rows_, "lines have too many numbers: the last ones are left out");
         warn(triangulation_.unclean(), "polygons cross themselves: their triangles may be wrong");
     }
 
@@ -512,6 +518,7 @@ private:
     uint64_t bad_faces_ = 0;
     uint64_t short_faces_ = 0;
     uint64_t short_rows_ = 0;
+    uint64_t long_rows_ = 0;
 };
 
 } // namespace

@@ -76,6 +76,12 @@ public:
     /// Returns whether the end of the file may have truncated this row.
     [[nodiscard]] bool may_be_cut() const { return !input_.line_was_ended(); }
 
+    /// Returns whether numbers of the row are left that read() has not returned.
+    [[nodiscard]] bool has_more_in_row() { return !words_.is_done(); }
+
+    /// Returns whether rows follow.
+    [[nodiscard]] bool goes_on() { return next(); }
+
     /// If a text row is too short, the parser can continue with the next line as a new row.
     static constexpr bool goes_on_after_short_row = true;
 
@@ -120,6 +126,17 @@ public:
     }
 
     [[nodiscard]] bool may_be_cut() const { return false; }
+
+    [[nodiscard]] bool has_more_in_row() const { return false; }
+
+    /// Returns whether bytes other than line ends and spaces follow, which some programs write at the end.
+    [[nodiscard]] bool goes_on()
+    {
+        for (; next(); ++used_)
+            if (std::string_view(" \t\r\n").find(ahead_[used_]) == std::string_view::npos)
+                return true;
+        return false;
+    }
 
     static constexpr bool goes_on_after_short_row = false;
 
