@@ -31,7 +31,8 @@ namespace estampe::style {
 /// existing file does not split. Throws Error if a part is empty.
 [[nodiscard]] std::vector<std::string> parts_of(const std::string& style_name);
 
-/// Returns the TOML text of a preset or an addition; nothing for an unknown name.
+/// Returns the TOML text of a preset or an addition; for "default" a text that sets nothing; nothing for an
+/// unknown name.
 [[nodiscard]] std::optional<std::string_view> preset_text(std::string_view name);
 
 /// A style as TOML text, with the name that error messages use for it.

@@ -216,6 +216,7 @@ TEST(StylePresets, HaveNamesAndTexts)
         EXPECT_NO_THROW(static_cast<void>(parse_toml(*preset_text(name), name)));
     }
     EXPECT_FALSE(preset_text("no_preset_of_this_name"));
+    EXPECT_NO_THROW(static_cast<void>(parse_toml(preset_text("default").value(), "default")));
 }
 
 TEST(EditDistance, CountsInsertionsDeletionsReplacementsAndSwaps)
