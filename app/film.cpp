@@ -143,6 +143,7 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add(draw.camera.placed.up);
     hash.add(draw.camera.placed.vertical_fov_rad);
     hash.add(draw.camera.placed.orthographic_half_height_m.value_or(0.0));
+    hash.add(draw.camera.placed.shift);
     const ViewDirection& from = draw.camera.direction;
     hash.add(from.azimuth_deg);
     hash.add(from.elevation_deg);

@@ -40,7 +40,9 @@ double reach(const Camera& camera, const Bounds& box, double aspect)
                                (corner & 4) != 0 ? box.max.z : box.min.z);
         const glm::dvec3 seen(view * glm::dvec4(place, 1.0));
         const double half_m = half_height_m.value_or(std::max(-seen.z, camera.near_m) * tangent);
-        most = std::max({most, std::abs(seen.y) / half_m, std::abs(seen.x) / (half_m * aspect)});
+        const glm::dvec2 on_page =
+            glm::dvec2(seen) / glm::dvec2(half_m * aspect, half_m) - 2.0 * camera.shift;
+        most = std::max({most, std::abs(on_page.x), std::abs(on_page.y)});
     }
     return most;
 }

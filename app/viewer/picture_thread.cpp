@@ -32,6 +32,7 @@ Camera between(const Camera& a, const Camera& b, double share)
     const glm::dvec3 up = glm::mix(a.up, b.up, share);
     camera.up = glm::length(up) > 1e-3 ? glm::normalize(up) : a.up;
     camera.vertical_fov_rad = glm::mix(a.vertical_fov_rad, b.vertical_fov_rad, share);
+    camera.shift = glm::mix(a.shift, b.shift, share);
     if (a.orthographic_half_height_m) {
         camera.orthographic_half_height_m =
             glm::mix(*a.orthographic_half_height_m, *b.orthographic_half_height_m, share);

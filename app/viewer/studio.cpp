@@ -120,6 +120,9 @@ Bookmark to_bookmark(const Json& json)
     if (json.contains("half_height_m")) {
         bookmark.camera.orthographic_half_height_m = number_of(json.at("half_height_m"));
     }
+    if (json.contains("shift")) {
+        bookmark.camera.shift = {number_of(json.at("shift").at(0)), number_of(json.at("shift").at(1))};
+    }
     bookmark.time_s = number_of(json.at("time_s"));
     bookmark.animation = json.at("animation").get<Index>();
     return bookmark;
@@ -136,6 +139,9 @@ Json to_json(const Bookmark& bookmark)
     json["near_m"] = bookmark.camera.near_m;
     if (bookmark.camera.orthographic_half_height_m) {
         json["half_height_m"] = *bookmark.camera.orthographic_half_height_m;
+    }
+    if (bookmark.camera.shift != glm::dvec2(0.0)) {
+        json["shift"] = {bookmark.camera.shift.x, bookmark.camera.shift.y};
     }
     json["time_s"] = bookmark.time_s;
     json["animation"] = bookmark.animation;

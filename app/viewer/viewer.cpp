@@ -27,18 +27,11 @@ namespace {
 /// Delay after a change of the view before the picture is drawn in full, because more changes may follow.
 constexpr double settling_s = 0.15;
 
-bool same(const Camera& a, const Camera& b)
-{
-    return a.eye == b.eye && a.target == b.target && a.up == b.up &&
-           a.vertical_fov_rad == b.vertical_fov_rad &&
-           a.orthographic_half_height_m == b.orthographic_half_height_m && a.near_m == b.near_m;
-}
-
 bool same(const Sight& a, const Sight& b)
 {
-    return same(a.camera, b.camera) && a.style == b.style && a.time_s == b.time_s &&
-           a.animation == b.animation && a.size_px == b.size_px && a.scene == b.scene &&
-           a.terrain == b.terrain && a.has_other == b.has_other && a.times_passes == b.times_passes;
+    return a.camera == b.camera && a.style == b.style && a.time_s == b.time_s && a.animation == b.animation &&
+           a.size_px == b.size_px && a.scene == b.scene && a.terrain == b.terrain &&
+           a.has_other == b.has_other && a.times_passes == b.times_passes;
 }
 
 } // namespace

@@ -17,6 +17,7 @@
 #include <estampe/motion.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
+#include <estampe/surface_buffers.hpp>
 #include <estampe/vector_drawing.hpp>
 #include <estampe/work_limits.hpp>
 
@@ -246,6 +247,14 @@ public:
     /// Cost: as render(), and four more passes over the page; 86 bytes per pixel are read back.
     [[nodiscard]] LayeredImage render_layers(const Camera& camera, const Style& style,
                                              const RenderSettings& settings);
+
+    /// Returns what each pixel of render() shows of the scene: distance, normal, object, material, and the
+    /// motion if `motion_since` is set. Pixels in the margin of the style's paper are blank. No picture is
+    /// drawn; `samples` and `tile_px` are ignored. Throws Error as render() does, and if the page is too
+    /// large to be drawn without tiles. Cost: rasterisation and one more pass over the page; 16 bytes per
+    /// pixel are read back.
+    [[nodiscard]] SurfaceBuffers render_buffers(const Camera& camera, const Style& style,
+                                                const RenderSettings& settings);
 
     /// Returns the strokes of render() as paths: lines, and hatching that consists of lines. Paths deviate
     /// from the lines of a picture of the given size by about a third of a pixel, so a larger size gives

@@ -343,6 +343,13 @@ struct Scene {
     std::vector<ScenePortal> portals; ///< Openings between `cells`
 };
 
+/// Returns what is wrong with a scene that a program made or changed itself: indices out of range, arrays
+/// whose lengths disagree, nodes that form no forest, numbers that are not finite. Each text names the place,
+/// such as: meshes[2] "wheel", primitives[0]: indices[17] is 24, but the number of positions is 24. Empty if
+/// the scene can be drawn. Lists at most 100 faults of structure and 100 of numbers. load_scene() returns
+/// scenes without faults. Cost: linear in vertices, indices and nodes, about 5 ms for a million triangles.
+[[nodiscard]] std::vector<std::string> faults(const Scene& scene);
+
 /// Returns the cloth material of a primitive, from its node or else from its material; null if the primitive
 /// is not cloth.
 [[nodiscard]] const Cloth* cloth_of(const Scene& scene, const Node& node, const Primitive& primitive);
@@ -427,6 +434,13 @@ struct Camera {
     /// Half the height of a parallel projection; empty: perspective projection.
     std::optional<double> orthographic_half_height_m;
     double near_m = 0.01;
+    /// Lens shift: how far the middle of the picture lies to the right of and above the axis of view, as
+    /// shares of the picture's width and height. At (0.5, 0), `target` is in the middle of the left edge. A
+    /// shift keeps parallel lines parallel, as in drawings of facades, where turning the camera would make
+    /// them converge.
+    glm::dvec2 shift{0.0};
+
+    bool operator==(const Camera& other) const = default;
 };
 
 /// Returns the camera of the scene's file with this name, or with this index if `name` is a number, placed by
@@ -459,10 +473,10 @@ struct SunBearing {
 [[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect,
                                     const SunBearing& sun = {});
 
-/// Parses "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho] [ortho=half_height]", in any order,
-/// separated by blanks. `fov` is vertical, 1 to 170. `ortho` selects parallel projection; its number is half
-/// the height in metres, by default that of the perspective view at the target. If the text is not valid,
-/// throws an Error that names the wrong part and shows a valid example.
+/// Parses "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho] [ortho=half_height] [shift=right,up]", in
+/// any order, separated by blanks. `fov` is vertical, 1 to 170. `shift` is Camera::shift. `ortho` selects
+/// parallel projection; its number is half the height in metres, by default that of the perspective view at
+/// the target. If the text is not valid, throws an Error that names the wrong part and shows a valid example.
 [[nodiscard]] Camera parse_camera(const std::string& text);
 
 } // namespace estampe

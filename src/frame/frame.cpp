@@ -30,6 +30,11 @@ void declare_frame(const FrameContext& context)
     const std::optional<gpu::ImageId> halo = add_halo(context, scene, surface);
     const hatch::HatchInputs hatching = hatch_inputs(context, scene, surface, lit, screen, halo);
     const contour::ContourInputs outlining = contour_inputs(context, scene, visibility, surface, lit, screen);
+    if (context.job.surface != nullptr) {
+        // The graph leaves out the passes above whose results nothing reads, such as light.
+        declare_surface_reading(context.graph, surface, *context.job.surface);
+        return;
+    }
     if (context.job.lists != nullptr) {
         declare_stroke_lists(
             context.graph,

@@ -5,6 +5,7 @@
 #include "frame/features.hpp"
 #include "frame/page.hpp"
 #include "frame/plan.hpp"
+#include "frame/surface_buffers.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
 
@@ -36,6 +37,8 @@ struct FrameJob {
     std::optional<features::Survey> survey;
     /// If not null, the frame outputs strokes as paths into this list instead of pixels.
     StrokeLists* lists = nullptr;
+    /// If not null, the frame copies the visible surfaces there, and draws no picture.
+    SurfaceReading* surface = nullptr;
     /// If not null, the frame outputs floats into this page in addition to bytes.
     LinearPage* linear = nullptr;
     std::optional<features::LinkedPart> linked = {}; ///< lines that were already linked for the whole page

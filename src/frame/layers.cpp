@@ -188,9 +188,6 @@ std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t wid
 namespace estampe {
 namespace {
 
-// Bits of a pixel's value that hold its draw number; DRAW_NUMBER_MASK of shaders/surface_images.glsl.
-constexpr uint32_t draw_number_mask = (1U << 26U) - 1U;
-
 /// Assigns an object number to each draw call: 1 is the ground, other objects have their node's index + 2.
 std::vector<uint32_t> thing_of_draw(const pose::MeshData& layout)
 {
@@ -226,25 +223,10 @@ private:
                                  "smoke", "shadow", "occlusion", "clouds"};
 };
 
-/// The rectangle of pixels inside the page's margin; `last` is just outside the rectangle.
-struct PixelWindow {
-    glm::uvec2 first{0};
-    glm::uvec2 last{0};
-};
-
-PixelWindow window_px(const paper::PaperStyle& style, const RenderSettings& settings)
-{
-    const float px_per_mm = static_cast<float>(settings.height) / style.height_mm;
-    const paper::Window window = paper::window_of(style, static_cast<float>(settings.width) / px_per_mm);
-    const glm::vec2 size_px(settings.width, settings.height);
-    return {glm::uvec2(glm::floor(window.min_mm * px_per_mm)),
-            glm::uvec2(glm::min(glm::ceil(window.max_mm * px_per_mm), size_px))};
-}
-
 /// Accumulates the objects, shadows and clouds that the samples of a picture show inside the page's margin.
 class Seen {
 public:
-    Seen(const pose::MeshData& layout, const RenderSettings& settings, const PixelWindow& window)
+    Seen(const pose::MeshData& layout, const RenderSettings& settings, const frame::SeenWindow& window)
         : things_(thing_of_draw(layout)), width_(settings.width), window_(window),
           pixel_things_(size_t{settings.width} * settings.height), shares_(pixel_things_.size()),
           shadow_(pixel_things_.size()), closed_(pixel_things_.size()), clouds_(pixel_things_.size())
@@ -259,10 +241,10 @@ public:
             page.occlusion.empty() ? std::span<const uint16_t>() : gpu::items_of<uint16_t>(page.occlusion);
         const auto clouds =
             page.has_clouds ? gpu::items_of<uint16_t>(page.cloud_cover) : std::span<const uint16_t>();
-        for (uint32_t y = window_.first.y; y < window_.last.y; ++y) {
-            for (uint32_t x = window_.first.x; x < window_.last.x; ++x) {
+        for (uint32_t y = window_.min_px.y; y < window_.max_px.y; ++y) {
+            for (uint32_t x = window_.min_px.x; x < window_.max_px.x; ++x) {
                 const size_t i = size_t{y} * width_ + x;
-                const uint32_t number = words[i] & draw_number_mask;
+                const uint32_t number = frame::draw_number(words[i]);
                 pixel_things_[i] = number > 0 ? things_.at(number - 1) : 0;
                 // A negative value of `sun` means that the surface faces away from the sun or is never lit by
                 // it.
@@ -308,7 +290,7 @@ public:
 private:
     std::vector<uint32_t> things_;
     uint32_t width_;
-    PixelWindow window_;
+    frame::SeenWindow window_;
     std::vector<uint32_t> pixel_things_; ///< object number of each pixel in the current sample
     frame::Shares shares_;
     std::vector<float> shadow_; ///< shadow of the sun at each pixel, as a sum over the samples
@@ -353,7 +335,7 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
     LayeredImage result;
     result.picture = impl.draw_picture(camera, style, settings, &page, [&] {
         if (!seen) {
-            seen.emplace(impl.loaded->layout, settings, window_px(tables.paper, settings));
+            seen.emplace(impl.loaded->layout, settings, frame::window_within_margin(tables.paper, settings));
         }
         seen->add(page);
     });

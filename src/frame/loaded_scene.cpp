@@ -173,6 +173,8 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
         loaded.lightmap = *lightmap;
     }
     loaded.scene = without_images(scene);
+    loaded.given_nodes = given.nodes.size();
+    loaded.given_materials = given.materials.size();
     hide_invisible(loaded.scene);
     if (given.cells.empty()) {
         cells::NamedCells named = cells::named_cells(given);

@@ -27,6 +27,10 @@ namespace estampe::frame {
 /// All device resources of one scene, and the scene itself without its images.
 struct LoadedScene {
     Scene scene;
+    /// Numbers of nodes and materials of the scene that the caller gave. Further ones, of terrain and of
+    /// cloth with two sides, follow in `scene`.
+    size_t given_nodes = 0;
+    size_t given_materials = 0;
     features::LightingOfScene own_lighting;    ///< lights and light links as the scene's file has them
     features::LightingOfScene styled_lighting; ///< lights and light links of `scene` with the style applied
     std::optional<features::LightingSettings>

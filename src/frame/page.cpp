@@ -82,6 +82,15 @@ SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float
             .max_px = glm::uvec2(glm::max(glm::ceil(max_px), 0.0F))};
 }
 
+SeenWindow window_within_margin(const paper::PaperStyle& style, const RenderSettings& settings)
+{
+    const float px_per_mm = static_cast<float>(settings.height) / style.height_mm;
+    const paper::Window window = paper::window_of(style, static_cast<float>(settings.width) / px_per_mm);
+    const glm::vec2 size_px(settings.width, settings.height);
+    return {.min_px = glm::uvec2(glm::floor(window.min_mm * px_per_mm)),
+            .max_px = glm::uvec2(glm::min(glm::ceil(window.max_mm * px_per_mm), size_px))};
+}
+
 void ensure_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples)
 {
     const uint64_t count = uint64_t{size_px.x} * size_px.y;

@@ -20,6 +20,14 @@
 
 namespace estampe::frame {
 
+/// Returns the number of the draw call that a pixel of the image surface::Surface::draw shows, counted from
+/// 1; 0 if it shows no surface.
+[[nodiscard]] inline uint32_t draw_number(uint32_t word)
+{
+    constexpr uint32_t mask = (1U << 26U) - 1U; // DRAW_NUMBER_MASK of shaders/surface_images.glsl
+    return word & mask;
+}
+
 /// Images and buffers for the output of a picture, reused for the next picture of the same size.
 struct Page {
     gpu::Image sums;    ///< running sums of the samples of a picture; one texel if there is a single sample
@@ -62,6 +70,9 @@ struct SeenWindow {
 /// never visible.
 [[nodiscard]] SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float pixels_per_mm,
                                      glm::vec2 from_px);
+
+/// Returns the pixels of the whole page inside the paper's margin.
+[[nodiscard]] SeenWindow window_within_margin(const paper::PaperStyle& style, const RenderSettings& settings);
 
 /// Creates images and buffers for a picture of this size, unless `page` already has them.
 void ensure_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples);

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -100,6 +103,70 @@ TEST(Renderer, AMarginShrinksThePictureAndNotItsStrokes)
             EXPECT_EQ(framed.rgba[at], framed.rgba[0]) << x << ", " << y;
         }
     }
+}
+
+/// Place of the middle of all dark pixels, in pixels from the left and the top.
+glm::dvec2 middle_of_ink(const Image& image)
+{
+    glm::dvec2 sum(0.0);
+    double weight = 0.0;
+    for (uint32_t y = 0; y < image.height; ++y) {
+        for (uint32_t x = 0; x < image.width; ++x) {
+            const double ink = image.rgba[4 * (y * size_t{image.width} + x)] < 128 ? 1.0 : 0.0;
+            sum += ink * (glm::dvec2(x, y) + 0.5);
+            weight += ink;
+        }
+    }
+    EXPECT_GT(weight, 0.0);
+    return sum / std::max(weight, 1.0);
+}
+
+TEST(Renderer, TheLensShiftMovesThePictureOnThePage)
+{
+    Scene scene = test::scene_of(shapes::sphere(0.5F));
+    scene.materials[0].base_color = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
+    scene.materials[0].unlit = true;
+    Camera camera = test::front_camera(6.0, 0.5);
+    camera.target = camera.target + glm::dvec3(0.2, 0.1, 0.0);
+    Camera parallel = camera;
+    parallel.orthographic_half_height_m = 1.5;
+    for (const Camera& from : {camera, parallel}) {
+        const RenderSettings settings{.width = 240, .height = 120};
+        Style style = Style::load("cel+no-shadow");
+        style.set("paper.margin_mm=0");
+        const glm::dvec2 before = middle_of_ink(draw_still_life(scene, from, settings, style));
+        Camera shifted = from;
+        shifted.shift = {0.25, -0.2};
+        const glm::dvec2 after = middle_of_ink(draw_still_life(scene, shifted, settings, style));
+        EXPECT_NEAR(after.x - before.x, -0.25 * 240, 1.0);
+        EXPECT_NEAR(after.y - before.y, -0.2 * 120, 1.0);
+    }
+}
+
+TEST(Renderer, ASceneThatAProgramMadeWronglyIsRefusedWithItsFault)
+{
+    const auto refusal = [](const std::function<void(Scene&)>& damage) {
+        Scene scene = placed_still_life();
+        damage(scene);
+        try {
+            test::shared_renderer().set_scene(scene);
+            return std::string("accepted");
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+    };
+    EXPECT_NE(refusal([](Scene& scene) {
+                  scene.meshes[0].primitives[0].indices[0] = 1'000'000;
+              }).find("indices[0] is 1000000"),
+              std::string::npos);
+    EXPECT_NE(refusal([](Scene& scene) { scene.nodes[1].children = {1}; }).find("nodes[1]"),
+              std::string::npos);
+    EXPECT_NE(refusal([](Scene& scene) { scene.nodes[0].mesh = 99; }).find("mesh is 99"), std::string::npos);
+    EXPECT_NE(refusal([](Scene& scene) {
+                  scene.nodes[0].transform.scale.x = std::numeric_limits<double>::quiet_NaN();
+              }).find("not finite"),
+              std::string::npos);
+    EXPECT_EQ(refusal([](Scene&) {}), "accepted");
 }
 
 TEST(Renderer, TheSameBytesAgainAndAgain)

@@ -67,6 +67,7 @@ struct TileCase {
     std::string preset;
     std::vector<std::string> assignments = {};
     uint32_t samples = 1;
+    glm::dvec2 shift{0.0};
 };
 
 class TiledPage : public testing::TestWithParam<TileCase> {};
@@ -75,10 +76,12 @@ TEST_P(TiledPage, IsThePageThatIsDrawnWhole)
 {
     const Style style = preset_with(GetParam().preset, GetParam().assignments);
     RenderSettings settings{.width = 251, .height = 243, .samples = GetParam().samples};
+    Camera camera = tile_camera;
+    camera.shift = GetParam().shift;
     test::shared_renderer().set_scene(crowded());
-    const Image whole = test::shared_renderer().render(tile_camera, style, settings);
+    const Image whole = test::shared_renderer().render(camera, style, settings);
     settings.tile_px = four_by_four(style, settings);
-    const Image tiled = test::shared_renderer().render(tile_camera, style, settings);
+    const Image tiled = test::shared_renderer().render(camera, style, settings);
     ASSERT_EQ(tiled.rgba.size(), whole.rgba.size());
     const test::ImageDifference difference = test::compare_images(whole, tiled, 0);
     EXPECT_LE(difference.failing_fraction, most_differing) << test::describe(difference) << "\n"
@@ -88,6 +91,7 @@ TEST_P(TiledPage, IsThePageThatIsDrawnWhole)
 INSTANTIATE_TEST_SUITE_P(
     Styles, TiledPage,
     testing::Values(TileCase{"Comic", "comic"}, TileCase{"ComicInSamples", "comic", {}, 4},
+                    TileCase{"ComicShifted", "comic", {}, 1, {0.3, -0.2}},
                     TileCase{"PencilOfAMap", "pencil", {"hatch.strokes=map", "hatch.overrun_mm=2"}},
                     TileCase{"Engraving", "engraving"},
                     TileCase{"WashMetered", "wash", {"light.metering=page"}, 2}, TileCase{"Ukiyoe", "ukiyoe"},

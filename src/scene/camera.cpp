@@ -24,6 +24,7 @@
 #include "core/text.hpp"
 #include "scene/framing.hpp"
 #include "scene/pose.hpp"
+#include "scene/scene_limits.hpp"
 #include "scene/view_analysis/surface_points.hpp"
 
 namespace estampe {
@@ -44,6 +45,8 @@ public:
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
     /// Returns the three numbers after a key; nothing if the key is missing.
     [[nodiscard]] std::optional<glm::dvec3> vector(std::string_view key) const;
+    /// Returns the lens shift, after a range check; zero if the key is missing.
+    [[nodiscard]] glm::dvec2 shift() const;
     /// Returns the vertical angle of view in degrees, after a range check; nothing if the key is missing.
     [[nodiscard]] std::optional<double> fov_deg() const;
     /// Returns half the height of a parallel projection in metres, after a range check; nothing if the key is
@@ -55,6 +58,10 @@ public:
 private:
     [[nodiscard]] std::optional<std::string_view> value(std::string_view key) const;
     [[nodiscard]] double parse(std::string_view key, std::string_view digits) const;
+    /// Returns the numbers after a key, separated by commas; nothing if the key is missing. `needs` describes
+    /// them, for the error message.
+    template <typename Vector>
+    [[nodiscard]] std::optional<Vector> numbers(std::string_view key, const char* needs) const;
 
     std::string text_;
     const char* form_;
@@ -117,20 +124,35 @@ std::optional<double> CameraWords::number(std::string_view key) const
     return digits ? std::optional(parse(key, *digits)) : std::nullopt;
 }
 
-std::optional<glm::dvec3> CameraWords::vector(std::string_view key) const
+template <typename Vector>
+std::optional<Vector> CameraWords::numbers(std::string_view key, const char* needs) const
 {
     std::optional<std::string_view> list = value(key);
     if (!list)
         return std::nullopt;
-    glm::dvec3 vector{0.0};
-    for (int axis = 0; axis < 3; ++axis) {
+    Vector vector{0.0};
+    constexpr int last = Vector::length() - 1;
+    for (int axis = 0; axis <= last; ++axis) {
         const size_t comma = list->find(',');
-        if ((comma == std::string_view::npos) != (axis == 2))
-            refuse(fmt::format("{} needs three numbers, x,y,z", key));
+        if ((comma == std::string_view::npos) != (axis == last))
+            refuse(fmt::format("{} needs {}", key, needs));
         vector[axis] = parse(key, list->substr(0, comma));
-        list->remove_prefix(axis == 2 ? list->size() : comma + 1);
+        list->remove_prefix(axis == last ? list->size() : comma + 1);
     }
     return vector;
+}
+
+std::optional<glm::dvec3> CameraWords::vector(std::string_view key) const
+{
+    return numbers<glm::dvec3>(key, "three numbers, x,y,z");
+}
+
+glm::dvec2 CameraWords::shift() const
+{
+    const glm::dvec2 shift = numbers<glm::dvec2>("shift", "two numbers, right,up").value_or(glm::dvec2(0.0));
+    if (std::abs(shift.x) > farthest_shift || std::abs(shift.y) > farthest_shift)
+        refuse(fmt::format("shift must be from -{0:g} to {0:g}", farthest_shift));
+    return shift;
 }
 
 std::optional<double> CameraWords::fov_deg() const
@@ -151,7 +173,7 @@ std::optional<double> CameraWords::half_height_m() const
 
 constexpr const char* camera_form =
     "write \"eye=x,y,z target=x,y,z fov=degrees\", such as \"eye=2,1,3 target=0,0.5,0 fov=35\", and if need "
-    "be up=x,y,z, ortho or ortho=half_height";
+    "be up=x,y,z, ortho or ortho=half_height, shift=right,up";
 
 bool are_parallel(const glm::dvec3& a, const glm::dvec3& b)
 {
@@ -192,7 +214,7 @@ Index find_camera_node(const Scene& scene, const std::string& name)
 
 Camera parse_camera(const std::string& text)
 {
-    const CameraWords words(text, camera_form, {"eye", "target", "fov", "up", "ortho"}, {"ortho"});
+    const CameraWords words(text, camera_form, {"eye", "target", "fov", "up", "ortho", "shift"}, {"ortho"});
     Camera camera;
     for (const char* key : {"eye", "target"})
         if (!words.has(key))
@@ -215,6 +237,7 @@ Camera parse_camera(const std::string& text)
         camera.orthographic_half_height_m =
             words.half_height_m().value_or(glm::length(view) * std::tan(0.5 * camera.vertical_fov_rad));
     camera.near_m = std::max(1e-6, 1e-3 * glm::length(view));
+    camera.shift = words.shift();
     return camera;
 }
 

@@ -66,6 +66,22 @@ TEST(InView, ParallelProjection)
     EXPECT_TRUE(sees(cube_at({0, 0, 100}), camera)) << "all depths are drawn";
 }
 
+TEST(InView, FollowsTheLensShift)
+{
+    Camera parallel = along_minus_z;
+    parallel.orthographic_half_height_m = 2.0;
+    for (Camera camera : {along_minus_z, parallel}) {
+        EXPECT_FALSE(sees(cube_at({0, 5, 0}), camera));
+        EXPECT_FALSE(sees(cube_at({9, 0, 0}), camera));
+        camera.shift = {0.0, 1.0};
+        EXPECT_TRUE(sees(cube_at({0, 5, 0}), camera));
+        EXPECT_FALSE(sees(cube_at({0, -2.5, 0}), camera)) << "the lower half lies below the page";
+        camera.shift = {1.0, 0.0};
+        EXPECT_TRUE(sees(cube_at({9, 0, 0}), camera));
+        EXPECT_FALSE(sees(cube_at({-4, 0, 0}), camera));
+    }
+}
+
 TEST(InView, InstancesAndBentMeshesStandWhereTheyAreDrawn)
 {
     Scene instanced = cube_at({0, 0, 20});

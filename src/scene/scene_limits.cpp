@@ -101,6 +101,11 @@ void check_camera(const Camera& camera)
         refuse_camera(fmt::format("its up, {}, is no direction across its view", in_words(camera.up)),
                       "choose another up");
     }
+    if (!(std::abs(camera.shift.x) <= farthest_shift && std::abs(camera.shift.y) <= farthest_shift)) {
+        refuse_camera(
+            fmt::format("its shift is {:.4g}, {:.4g}", camera.shift.x, camera.shift.y),
+            fmt::format("allowed: -{0:g} to {0:g} of the picture's width and height", farthest_shift));
+    }
     if (camera.orthographic_half_height_m) {
         const double half_height_m = *camera.orthographic_half_height_m;
         if (!(half_height_m >= least_radius_m && half_height_m <= farthest_m)) {

@@ -17,6 +17,9 @@ inline constexpr double farthest_m = 1e12;
 /// single point is allowed.
 inline constexpr double least_radius_m = 1e-9;
 
+/// Largest lens shift of a camera, as a share of the picture.
+inline constexpr double farthest_shift = 100.0;
+
 /// Throws Error naming `scene` unless `bounds` are finite, near enough to the origin, and neither too large
 /// nor too small. Empty bounds are allowed.
 void check_extent(const Bounds& bounds, const std::string& scene);

@@ -72,15 +72,21 @@ public:
     {
         // Factor that widens the view, because drawn lines extend beyond the surfaces that they outline.
         constexpr double margin = 1.02;
+        // Edges of the picture, in halves of its width and height from the axis of view.
+        const double left = 2.0 * camera.shift.x - margin;
+        const double right = 2.0 * camera.shift.x + margin;
+        const double bottom = 2.0 * camera.shift.y - margin;
+        const double top = 2.0 * camera.shift.y + margin;
         if (camera.orthographic_half_height_m) {
-            const double half_m = margin * *camera.orthographic_half_height_m;
-            sides_ = {glm::dvec4(1, 0, 0, aspect * half_m), glm::dvec4(-1, 0, 0, aspect * half_m),
-                      glm::dvec4(0, 1, 0, half_m), glm::dvec4(0, -1, 0, half_m)};
+            const double half_m = *camera.orthographic_half_height_m;
+            sides_ = {glm::dvec4(1, 0, 0, -left * aspect * half_m),
+                      glm::dvec4(-1, 0, 0, right * aspect * half_m), glm::dvec4(0, 1, 0, -bottom * half_m),
+                      glm::dvec4(0, -1, 0, top * half_m)};
             return;
         }
-        const double up = margin * std::tan(0.5 * camera.vertical_fov_rad);
-        sides_ = {glm::dvec4(1, 0, -aspect * up, 0), glm::dvec4(-1, 0, -aspect * up, 0),
-                  glm::dvec4(0, 1, -up, 0), glm::dvec4(0, -1, -up, 0)};
+        const double up = std::tan(0.5 * camera.vertical_fov_rad);
+        sides_ = {glm::dvec4(1, 0, left * aspect * up, 0), glm::dvec4(-1, 0, -right * aspect * up, 0),
+                  glm::dvec4(0, 1, bottom * up, 0), glm::dvec4(0, -1, -top * up, 0)};
         near_m_ = camera.near_m;
         has_eye_ = true;
     }

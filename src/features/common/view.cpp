@@ -59,7 +59,9 @@ shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, c
     const glm::dmat4 clip_from_view =
         is_parallel ? parallel(camera, aspect, bounds) : perspective(camera, aspect);
     const glm::dmat4 view_from_anchor = glm::lookAt(camera.eye - anchor, camera.target - anchor, camera.up);
-    const glm::dvec3 shift(2.0 * settings.jitter_px / glm::dvec2(settings.size_px), 0.0);
+    // In clip space x points right, y points down, and the page is 2 wide and high.
+    const glm::dvec2 lens_shift(-2.0 * camera.shift.x, 2.0 * camera.shift.y);
+    const glm::dvec3 shift(lens_shift + 2.0 * settings.jitter_px / glm::dvec2(settings.size_px), 0.0);
     const Survey page = settings.survey.value_or(Survey{.part = {.size_px = settings.size_px}});
     const PixelRect tile = settings.tile.value_or(PixelRect{.size_px = page.size_px()});
     const glm::dmat4 clip_from_anchor = crop_of(page.part, settings.size_px) *
@@ -141,6 +143,7 @@ Camera seen_within(const Camera& camera, double share)
     if (whole.orthographic_half_height_m) {
         *whole.orthographic_half_height_m /= share;
     }
+    whole.shift *= share;
     return whole;
 }
 

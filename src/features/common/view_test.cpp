@@ -59,6 +59,40 @@ TEST(SeenWithin, ShowsTheSameInASmallerWindow)
     }
 }
 
+TEST(LensShift, MovesThePictureByAShareOfThePage)
+{
+    Camera perspective{.eye = {1.0, 2.0, 7.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.7};
+    Camera parallel = perspective;
+    parallel.orthographic_half_height_m = 2.5;
+    const Survey survey{.part = {.size_px = {400, 300}}, .shrink = 4};
+    for (const Camera& camera : {perspective, parallel}) {
+        for (const std::optional<Survey>& reduced :
+             {std::optional<Survey>(), std::optional<Survey>(survey)}) {
+            const auto on_page = [&](const Camera& from, const glm::vec3& place) {
+                const auto globals = frame_globals(from, {{-5.0, -5.0, -5.0}, {5.0, 5.0, 5.0}}, {},
+                                                   {.size_px = {400, 300}, .survey = reduced});
+                const glm::vec4 clip = globals.clip_from_anchor * glm::vec4(place, 1.0F);
+                EXPECT_LT(glm::distance(globals.anchor_from_clip * clip, glm::vec4(place, 1.0F)), 1e-3F);
+                return glm::vec3(clip) / clip.w;
+            };
+            Camera shifted = camera;
+            shifted.shift = {0.25, -0.125};
+            for (const glm::vec3& place : {glm::vec3(0.0F, 0.5F, 0.0F), glm::vec3(-1.0F, -0.5F, 2.0F)}) {
+                const glm::vec3 before = on_page(camera, place);
+                const glm::vec3 after = on_page(shifted, place);
+                EXPECT_NEAR(after.x, before.x - 0.5F, 1e-5) << "to the left by a quarter of the page's width";
+                EXPECT_NEAR(after.y, before.y - 0.25F, 1e-5)
+                    << "up by an eighth of its height; y points down";
+                EXPECT_FLOAT_EQ(after.z, before.z) << "depths stay";
+            }
+            const glm::vec3 place(0.3F, 1.4F, 0.2F);
+            const glm::vec3 within = on_page(seen_within(shifted, 0.8), place);
+            EXPECT_NEAR(within.x, 0.8F * on_page(shifted, place).x, 1e-5);
+            EXPECT_NEAR(within.y, 0.8F * on_page(shifted, place).y, 1e-5);
+        }
+    }
+}
+
 TEST(EverySecond, HasTheMiddlesOfEvenPixels)
 {
     const Camera camera{.eye = {1.0, 2.0, 7.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.7};

@@ -356,6 +356,7 @@ void save_camera(FilmWriter& writer, const Camera& camera)
     writer.value(camera.up);
     writer.value(camera.vertical_fov_rad);
     writer.value(camera.near_m);
+    writer.value(camera.shift);
     // The value -1 is written for a perspective camera.
     writer.value(camera.orthographic_half_height_m.value_or(-1.0));
 }
@@ -367,6 +368,7 @@ Camera load_camera(FilmReader& reader)
                   .up = reader.value<glm::dvec3>()};
     camera.vertical_fov_rad = reader.value<double>();
     camera.near_m = reader.value<double>();
+    camera.shift = reader.value<glm::dvec2>();
     const auto half_height_m = reader.value<double>();
     if (half_height_m >= 0.0) {
         camera.orthographic_half_height_m = half_height_m;
