@@ -285,7 +285,7 @@ std::string allowed(const Parameter& parameter)
 std::string format_value(const Value& value)
 {
     if (const auto* number = std::get_if<float>(&value)) {
-        return fmt::format("{}", *number);
+        return fmt::format("{}", *number + 0.0F); // adding zero turns a negative zero into a positive one
     }
     if (const auto* integer = std::get_if<int64_t>(&value)) {
         return fmt::format("{}", *integer);

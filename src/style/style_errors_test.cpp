@@ -169,6 +169,18 @@ TEST(StyleErrors, CharactersBeyondAsciiOutsideOfQuotes)
     EXPECT_EQ(read_error("a = ''''''''\u00e9'"), "ink.toml:1:13: " + message);
 }
 
+TEST(StyleErrors, QuotesWithinWordsAndNumbers)
+{
+    const std::string message = "not TOML: a quote within a word or a number; quote the whole text";
+    EXPECT_EQ(read_error("a = +\"\u00e9\""), "ink.toml:1:6: " + message);
+    EXPECT_EQ(read_error("a = 3x\"\"\"\u00e9"), "ink.toml:1:7: " + message);
+    EXPECT_EQ(read_error("a=+sV'\ufefd "), "ink.toml:1:6: " + message);
+    EXPECT_EQ(read_error("a = \"b\"'\u00e9'"), "ink.toml:1:8: " + message);
+    EXPECT_NE(read_error("a.\"b\".'c' = [\"\u00e9\",'\u00e9',{\"d\"=\"\u00e9\"}]").find("unknown"),
+              std::string::npos)
+        << "keys and values in quotes";
+}
+
 TEST(StyleErrors, CharactersBeyondAsciiAfterAJoinedLine)
 {
     const std::string message = "a character beyond ASCII begins a line that a backslash joins to the one "

@@ -61,7 +61,8 @@ size_t character_length(std::string_view text)
 /// Where a scan of the text stopped.
 struct ScanStop {
     size_t at = 0;
-    bool is_joined_line = false; ///< A non-ASCII character follows a line break that a backslash removes
+    bool is_joined_line = false;  ///< A non-ASCII character follows a line break that a backslash removes
+    bool is_quote_inside = false; ///< A quote stands within a word or a number
 };
 
 /// Finds the end of the single-line or multi-line string that begins at `at`: the offset just after its
@@ -78,7 +79,7 @@ ScanStop end_of_string(std::string_view text, size_t at)
         if (text[at] == '\\' && quote == '"') {
             const size_t next = has_lines ? text.find_first_not_of(" \t\r\n", at + 1) : at + 1;
             if (has_lines && next < text.size() && static_cast<unsigned char>(text[next]) >= 0x80U) {
-                return {next, true};
+                return {.at = next, .is_joined_line = true};
             }
             ++at;
         } else if (has_lines && text.substr(at).starts_with(three)) {
@@ -111,8 +112,9 @@ size_t first_not_utf8(std::string_view text)
 
 /// Finds the first non-ASCII character that toml++ cannot read, or the end of `text`. A rejected non-ASCII
 /// character is outside strings and comments, where TOML allows none, or at the beginning of a joined line of
-/// a string. At that beginning, toml++ 3.3 has undefined behaviour. A byte order mark at the beginning is
-/// skipped.
+/// a string. At that beginning, toml++ 3.3 has undefined behaviour. Also stops at a quote within a word or a
+/// number, as in `+"a"`, which toml++ does not take for the beginning of a string. A byte order mark at the
+/// beginning is skipped.
 ScanStop first_bare_beyond_ascii(std::string_view text)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -122,6 +124,10 @@ ScanStop first_bare_beyond_ascii(std::string_view text)
         if (character == '#') {
             at = std::min(text.find('\n', at), text.size());
         } else if (character == '"' || character == '\'') {
+            constexpr std::string_view before_strings = " \t\r\n=,.[{";
+            if (at > 0 && before_strings.find(text[at - 1]) == std::string_view::npos) {
+                return {.at = at, .is_quote_inside = true};
+            }
             const ScanStop end = end_of_string(text, at);
             if (end.is_joined_line) {
                 return end;
@@ -187,6 +193,10 @@ void check_characters(std::string_view text, const std::string& name)
     if (bare.is_joined_line) {
         throw Error("a character beyond ASCII begins a line that a backslash joins to the one before",
                     place_of_byte(name, text, bare.at), "write the string without that backslash");
+    }
+    if (bare.is_quote_inside) {
+        throw Error("not TOML: a quote within a word or a number", place_of_byte(name, text, bare.at),
+                    "quote the whole text");
     }
     if (bare.at < text.size()) {
         throw Error("not TOML: a character beyond ASCII outside of quotes",

@@ -30,14 +30,16 @@ void add_cloud(obj::Data& data)
         cloud.vertices[i].position = i;
 }
 
-/// Returns how many positions no face, line or point uses. An OBJ file does not say how many faces follow,
-/// but a file that was cut off, or that lost lines, has vertices without faces.
-size_t unused_positions(const obj::Data& data)
+/// Returns how many items of a list of `count` no face, line or point uses; `number` is the member of Corner
+/// that refers to the list. An OBJ file does not say how many faces follow, but a file that was cut off, or
+/// that lost lines or has some twice, has items that nothing uses.
+size_t unused_items(const obj::Data& data, size_t count, uint32_t obj::Corner::*number)
 {
-    std::vector<bool> is_used(data.positions.size(), false);
+    std::vector<bool> is_used(count, false);
     for (const Piece& piece : data.pieces)
         for (const obj::Corner& corner : piece.vertices)
-            is_used[corner.position] = true;
+            if (corner.*number < count)
+                is_used[corner.*number] = true;
     return static_cast<size_t>(std::count(is_used.begin(), is_used.end(), false));
 }
 
@@ -235,11 +237,17 @@ Scene import_obj(Input& input, const std::filesystem::path* path, const ReadScop
         scene.warnings.push_back(
             fmt::format("has no faces, lines or points: its {} vertices are drawn as dots{}",
                         data.positions.size(), end));
-    } else if (const size_t unused = unused_positions(data); unused > 0) {
+    } else if (const size_t unused = unused_items(data, data.positions.size(), &obj::Corner::position);
+               unused > 0) {
         scene.warnings.push_back(
             fmt::format("{} of {} vertices belong to no face, line or point and are not drawn{}", unused,
                         data.positions.size(), end));
     }
+    const size_t unused_uvs = unused_items(data, data.uvs.size(), &obj::Corner::uv);
+    const size_t unused_normals = unused_items(data, data.normals.size(), &obj::Corner::normal);
+    if (!is_cloud && unused_uvs + unused_normals > 0)
+        scene.warnings.push_back(fmt::format("{} texture coordinates and {} normals belong to no face",
+                                             unused_uvs, unused_normals));
     const glm::vec3 default_color(data.colors.empty() ? grey : 1.0F);
     obj::read_materials(path != nullptr ? *path : name,
                         path != nullptr ? data.libraries : std::vector<std::string>{}, data.materials,

@@ -291,6 +291,17 @@ TEST_F(ObjImport, VerticesWithoutFacesTellOfACut)
     EXPECT_NE(all_warnings(load("v 0 0 0\nv 1 0 0\nv 0 1 0")).find("may be cut off"), std::string::npos);
 }
 
+TEST_F(ObjImport, DoubledTextureCoordinatesAreWarnedAbout)
+{
+    const std::string positions = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const std::string uvs = "vt 0 0\nvt 1 0\nvt 0 1\n";
+    const std::string face = "f 1/1 2/2 3/3\n";
+    EXPECT_EQ(all_warnings(load(positions + uvs + face)), "");
+    EXPECT_NE(
+        all_warnings(load(positions + "vt 0 0\n" + uvs + face)).find("1 texture coordinates and 0 normals"),
+        std::string::npos);
+}
+
 TEST_F(ObjImport, ACommentThatCountsTellsOfACut)
 {
     const std::string counts = "# OBJ File\n#\n# Vertices: 8\n# Faces: 6\n#\n";

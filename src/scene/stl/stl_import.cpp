@@ -113,10 +113,16 @@ Data parse_binary(Input& input)
     const FacetColors facet_colors(head.substr(0, bytes_of_title));
     const uint32_t said = read_u32(head.data() + bytes_of_title);
     input.skip(bytes_before_facets);
+    constexpr uint64_t most_padding = 3;
     const auto count = static_cast<size_t>(std::min<uint64_t>(said, input.bytes_left() / bytes_of_record));
     Data data;
     if (count < said)
         data.warnings.push_back(fmt::format("is cut off: says {} facets, has {}", said, count));
+    else if (const uint64_t rest = input.bytes_left() - bytes_of_record * count; rest > most_padding)
+        data.warnings.push_back(
+            fmt::format("goes on for {} bytes after the {} facets that it says: what is drawn "
+                        "may be shifted or incomplete",
+                        rest, said));
     if (count == 0)
         return data;
     Solid& solid = data.solids.emplace_back();

@@ -112,8 +112,8 @@ TEST(StlImport, BinaryWhateverItsTitle)
         EXPECT_EQ(first_primitive(scene).normals.at(0), glm::vec3(0, 0, 1));
         EXPECT_TRUE(first_primitive(scene).colors.empty());
         EXPECT_EQ(all_warnings(scene), "") << title;
-        EXPECT_EQ(all_warnings(read_stl(binary(title, 2, 2) + "more")), "")
-            << "bytes behind the facets do not matter";
+        EXPECT_EQ(all_warnings(read_stl(binary(title, 2, 2) + "\n")), "") << "padding";
+        EXPECT_EQ(first_primitive(read_stl(binary(title, 2, 2) + "more")).indices.size(), 6U);
     }
 }
 
@@ -133,6 +133,9 @@ TEST(StlImport, ACutFileSaysHowMuchIsMissing)
     EXPECT_NE(all_warnings(read_stl(binary("", 5, 3))).find("is cut off: says 5 facets, has 3"),
               std::string::npos);
     EXPECT_NE(all_warnings(read_stl(binary("", 0x80000000U, 1))).find("says 2147483648 facets, has 1"),
+              std::string::npos);
+    EXPECT_EQ(all_warnings(read_stl(binary("", 3, 3))), "");
+    EXPECT_NE(all_warnings(read_stl(binary("", 2, 3))).find("goes on for 50 bytes after the 2 facets"),
               std::string::npos);
     const std::string text = solid("part", facet() + facet("1") + facet("2"));
     EXPECT_EQ(all_warnings(read_stl(text.substr(0, text.size() - 1))), "");

@@ -199,6 +199,9 @@ TEST(HeightGraph, IsSavedAsItWas)
     EXPECT_EQ(again.wind, once.wind);
     EXPECT_EQ(again.meshing, once.meshing);
     EXPECT_EQ(again.look, once.look);
+    const std::string zero = "[terrain]\nheight = \"4\"\n[ripples]\nheight_m = -0.0\n";
+    const std::string written = terrain_toml(parse_terrain(zero, "zero.toml"));
+    EXPECT_EQ(terrain_toml(parse_terrain(written, "zero.toml")), written) << "a negative zero has no sign";
 }
 
 TEST(HeightGraph, APictureOfSixteenBitsHasNoTerraces)
