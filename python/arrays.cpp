@@ -33,23 +33,25 @@ std::string expected_text(std::initializer_list<py::ssize_t> lengths)
 }
 
 template <typename T>
-Dense<T> finite_numbers(const py::handle& value, const char* argument,
-                        std::initializer_list<py::ssize_t> expected_lengths)
+Dense<T> dense_of(const py::array& array, const char* argument)
 {
-    const py::array array = numbers_of(value, argument, "fiu");
-    check_shape(array, argument, expected_lengths);
     Dense<T> dense = Dense<T>::ensure(array);
     if (!dense) {
         PyErr_Clear();
         throw py::type_error(fmt::format("{}: the array cannot be converted to floats", argument));
     }
-    const T* const numbers = dense.data();
-    for (py::ssize_t i = 0; i < dense.size(); ++i) {
-        if (!std::isfinite(numbers[i])) {
+    return dense;
+}
+
+template <typename T>
+void check_finite(const Dense<T>& array, const char* argument)
+{
+    const T* const numbers = array.data();
+    for (py::ssize_t i = 0; i < array.size(); ++i) {
+        if (!std::isfinite(static_cast<float>(numbers[i]))) {
             throw py::value_error(fmt::format("{}: number {} of the array is not finite", argument, i));
         }
     }
-    return dense;
 }
 
 [[noreturn]] void fail_index(const char* argument, const std::string& index, uint64_t limit)
@@ -115,13 +117,27 @@ void check_shape(const py::array& array, const char* argument,
 Dense<float> finite_floats(const py::handle& value, const char* argument,
                            std::initializer_list<py::ssize_t> expected_lengths)
 {
-    return finite_numbers<float>(value, argument, expected_lengths);
+    const py::array array = numbers_of(value, argument, "fiu");
+    check_shape(array, argument, expected_lengths);
+    if (array.itemsize() > static_cast<py::ssize_t>(sizeof(float))) {
+        // Beyond the range of floats numpy would warn; here it is an error.
+        const Dense<double> wide = dense_of<double>(array, argument);
+        check_finite(wide, argument);
+        return dense_of<float>(wide, argument);
+    }
+    const Dense<float> dense = dense_of<float>(array, argument);
+    check_finite(dense, argument);
+    return dense;
 }
 
 Dense<double> finite_doubles(const py::handle& value, const char* argument,
                              std::initializer_list<py::ssize_t> expected_lengths)
 {
-    return finite_numbers<double>(value, argument, expected_lengths);
+    const py::array array = numbers_of(value, argument, "fiu");
+    check_shape(array, argument, expected_lengths);
+    const Dense<double> dense = dense_of<double>(array, argument);
+    check_finite(dense, argument);
+    return dense;
 }
 
 std::vector<uint32_t> indices_below(const py::handle& value, const char* argument, py::ssize_t row_width,

@@ -40,7 +40,8 @@ inline constexpr py::ssize_t any_length = -1;
 void check_shape(const py::array& array, const char* argument,
                  std::initializer_list<py::ssize_t> expected_lengths);
 
-/// Converts an argument to dense floats of a shape. Throws ValueError if a number is not finite as a T.
+/// Converts an argument to dense floats of a shape. Throws ValueError if a number is not
+/// finite, or beyond the range of floats.
 [[nodiscard]] Dense<float> finite_floats(const py::handle& value, const char* argument,
                                          std::initializer_list<py::ssize_t> expected_lengths);
 [[nodiscard]] Dense<double> finite_doubles(const py::handle& value, const char* argument,

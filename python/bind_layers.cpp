@@ -133,10 +133,12 @@ void bind_layers(py::module_& module)
                  return py::isinstance<py::str>(name) &&
                         find_layer(self, name.cast<std::string>()) != nullptr;
              })
-        .def("__getitem__",
-             [](const py::object& self, const std::string& name) {
-                 return pixels_of(layer_named(image_in(self), name), self);
-             })
+        .def(
+            "__getitem__",
+            [](const py::object& self, const std::string& name) {
+                return pixels_of(layer_named(image_in(self), name), self);
+            },
+            py::arg("name"), "Return the (h, w, 4) float32 array of a layer. Raises KeyError.")
         .def("keys", &layer_names, "Return the names of the layers, from bottom to top, as a list.")
         .def("values", &values_of, "Return the arrays of the layers, from bottom to top, as a list.")
         .def("items", &items_of, "Return (name, array) of each layer, from bottom to top, as a list.")

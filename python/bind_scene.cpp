@@ -37,7 +37,8 @@ Index animation_of(const py::object& value, const Scene& scene)
     }
     // A scene without animations shows its rest pose, whatever the number is.
     const size_t count = std::max<size_t>(scene.animations.size(), 1);
-    return optional_index(value.cast<py::ssize_t>(), "animation", count);
+    // A number beyond the range of ssize_t becomes the end of this range.
+    return optional_index(PyNumber_AsSsize_t(value.ptr(), nullptr), "animation", count);
 }
 
 namespace {

@@ -118,10 +118,14 @@ void bind_strokes(py::module_& module)
         "A drawing as pen strokes: a sequence of Stroke, in drawing order.\n\n"
         "The same scene and style always give the same order of strokes. Lengths are in millimetres of the "
         "page.")
-        .def("__len__", [](const VectorDrawing& self) { return self.strokes.size(); })
-        .def("__getitem__", &stroke_at)
-        .def("__iter__",
-             [](const std::shared_ptr<VectorDrawing>& self) { return py::iter(strokes_of(self)); })
+        .def(
+            "__len__", [](const VectorDrawing& self) { return self.strokes.size(); },
+            "Return the number of strokes.")
+        .def("__getitem__", &stroke_at, py::arg("number"),
+             "Return a Stroke by its number; negative numbers count from the end. Raises IndexError.")
+        .def(
+            "__iter__", [](const std::shared_ptr<VectorDrawing>& self) { return py::iter(strokes_of(self)); },
+            "Iterate over all strokes.")
         .def_property_readonly("strokes", &strokes_of, "All strokes, a list of Stroke.")
         .def_property_readonly(
             "width_mm", [](const VectorDrawing& self) { return self.width_mm; }, "Width of the page.")
