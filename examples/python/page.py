@@ -44,8 +44,16 @@ place = np.eye(4)
 place[:3, 3] = 1.0, 0.35, 0.0
 scene.add_node("tower", place, mesh=keep)
 
+# A sun from the upper left: a light shines along -z of its node, so the node is turned about y, then about x.
+down, left = np.radians(-40.0), np.radians(-50.0)
+about_x = np.array([[1, 0, 0], [0, np.cos(down), -np.sin(down)], [0, np.sin(down), np.cos(down)]])
+about_y = np.array([[np.cos(left), 0, np.sin(left)], [0, 1, 0], [-np.sin(left), 0, np.cos(left)]])
+turned = np.eye(4)
+turned[:3, :3] = about_y @ about_x
+scene.add_node("sun", turned, light=scene.add_light("directional", intensity=3.0))
+
 # %% The drawing
-style = estampe.Style("pen-sketch")
+style = estampe.Style()
 style["paper.height_mm"] = 120
 renderer = estampe.Renderer()
 renderer.set_scene(scene)

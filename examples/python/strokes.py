@@ -44,5 +44,6 @@ for number, kind in enumerate(kinds):
 axes.set_xlim(0, drawing.width_mm)
 axes.set_ylim(drawing.height_mm, 0)  # y points down on the page
 axes.set_aspect("equal")
-axes.legend(loc="upper right")
+for line in axes.legend(loc="upper left").get_lines():
+    line.set_linewidth(2)
 figure.savefig(folder / "strokes.png", dpi=100)
