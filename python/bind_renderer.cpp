@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // estampe.Renderer: draws scenes without Python's global lock (GIL), one call after another.
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <glm/gtc/quaternion.hpp>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -244,6 +248,83 @@ py::object motion(SharedRenderer& self, const py::object& camera, const py::obje
     return array_owning<float>(std::move(motion.pixels), {motion.height, motion.width, 4});
 }
 
+/// Takes a matrix apart. Throws ValueError if its axes are not at right angles or have no length.
+Transform transform_of(const glm::dmat4& matrix, const char* argument)
+{
+    glm::dvec3 scale(0.0);
+    glm::dmat3 axes(matrix);
+    for (int axis = 0; axis < 3; ++axis) {
+        scale[axis] = glm::length(axes[axis]);
+        if (!(scale[axis] > 0.0)) {
+            throw py::value_error(fmt::format("{}: is scaled to nothing", argument));
+        }
+        axes[axis] /= scale[axis];
+    }
+    constexpr double sheared = 1e-4; // cosine of the angle between two axes
+    if (std::max({std::abs(glm::dot(axes[0], axes[1])), std::abs(glm::dot(axes[0], axes[2])),
+                  std::abs(glm::dot(axes[1], axes[2]))}) > sheared) {
+        throw py::value_error(
+            fmt::format("{}: is sheared; only moved, turned and scaled places are allowed", argument));
+    }
+    if (glm::determinant(axes) < 0.0) {
+        scale.x = -scale.x;
+        axes[0] = -axes[0];
+    }
+    return {.translation = glm::dvec3(matrix[3]), .rotation = glm::quat_cast(axes), .scale = scale};
+}
+
+/// Returns the keys of a dict as indices below `count`, with their values.
+std::vector<std::pair<Index, py::object>> indexed_values(const py::dict& values, const char* argument,
+                                                         size_t count)
+{
+    std::vector<std::pair<Index, py::object>> indexed;
+    for (const auto& [key, value] : values) {
+        if (!PyIndex_Check(key.ptr()) || PyBool_Check(key.ptr())) {
+            throw py::type_error(fmt::format("{}: a key is not a number", argument));
+        }
+        indexed.emplace_back(optional_index(PyNumber_AsSsize_t(key.ptr(), nullptr), argument, count),
+                             py::reinterpret_borrow<py::object>(value));
+    }
+    return indexed;
+}
+
+/// Returns the scene that the renderer draws. Throws Error if there is none.
+std::shared_ptr<const LitScene> scene_of(SharedRenderer& self)
+{
+    std::shared_ptr<const LitScene> scene =
+        self.with_renderer([](Renderer&, const std::shared_ptr<const LitScene>& lit) { return lit; });
+    if (!scene) {
+        throw Error("there is no scene", {}, "call set_scene first");
+    }
+    return scene;
+}
+
+void place(SharedRenderer& self, const py::dict& matrices, double time_s)
+{
+    number_within(time_s, "time_s", -1e9, 1e9);
+    std::vector<NodePlace> places;
+    for (const auto& [node, matrix] :
+         indexed_values(matrices, "matrices", scene_of(self)->scene.nodes.size())) {
+        places.push_back(
+            {.node = node, .transform = transform_of(placement_of(matrix, "matrices"), "matrices")});
+    }
+    self.with_renderer([&](Renderer& renderer, const auto&) { renderer.place(places, time_s); });
+}
+
+void set_brightness(SharedRenderer& self, const py::dict& intensities)
+{
+    std::vector<LightBrightness> lights;
+    for (const auto& [light, value] :
+         indexed_values(intensities, "intensities", scene_of(self)->scene.lights.size())) {
+        if (!PyNumber_Check(value.ptr()) || py::isinstance<py::array>(value)) {
+            throw py::type_error("intensities: a value is not a number");
+        }
+        const double intensity = number_within(py::float_(value), "intensities", 0.0, 1e12);
+        lights.push_back({.light = light, .intensity = static_cast<float>(intensity)});
+    }
+    self.with_renderer([&](Renderer& renderer, const auto&) { renderer.set_brightness(lights); });
+}
+
 std::unique_ptr<SharedRenderer> make_renderer(const py::object& device)
 {
     if (!py::isinstance<py::str>(device) && (!PyIndex_Check(device.ptr()) || PyBool_Check(device.ptr()))) {
@@ -305,6 +386,18 @@ void bind_renderer(py::module_& module)
             "Upload a scene, which replaces the previous one.\n\n"
             "Later changes of the Scene are drawn after another call. Raises Error if the scene exceeds the\n"
             "memory or the limits of the device.")
+        .def("place", &place, py::arg("matrices"), py::arg("time_s") = 0.0,
+             "Place nodes from a time of the scene on, without another set_scene().\n\n"
+             "`matrices` is a dict of node numbers and (4, 4) matrices that transform column vectors from "
+             "the node's\n"
+             "space to its parent's; they move, turn and scale. Between two calls the places are "
+             "interpolated by\n"
+             "time. A placed node is no longer animated. Automatic cameras still frame the scene as it was "
+             "set.\n"
+             "Cost: linear in nodes.")
+        .def("set_brightness", &set_brightness, py::arg("intensities"),
+             "Set the brightness of lights from the next picture on, without another set_scene().\n\n"
+             "`intensities` is a dict of light numbers and intensities, in the units of Scene.add_light().")
         .def("render", &render, py::arg("camera") = py::none(), py::arg("style") = py::none(),
              "Draw the scene, and return a Picture: (h, w, 4) uint8, sRGB with straight alpha.\n\n"
              "Keywords are those of the class. Equal arguments give equal bytes on one device.")

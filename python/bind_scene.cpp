@@ -308,6 +308,13 @@ size_t add_node(SharedScene& self, const std::string& name, const py::object& ma
     return index;
 }
 
+void set_matrix(SharedScene& self, py::ssize_t node, const py::object& matrix)
+{
+    const Index index = optional_index(node, "node", self.scene().nodes.size());
+    const glm::dmat4 parent_from_node = placement_of(matrix, "matrix");
+    self.edit().scene.nodes[index].matrix = parent_from_node;
+}
+
 py::object bounds_of(const SharedScene& self, double time_s, const py::object& animation)
 {
     number_within(time_s, "time_s", -1e9, 1e9);
@@ -381,7 +388,11 @@ void bind_building(py::class_<SharedScene>& scene)
              "parent's, in\n"
              "metres; None is the identity. `parent` is the number of a node. `instances` is a (k, 4, 4) "
              "array:\n"
-             "the mesh is drawn k times, at these places in the node's space.");
+             "the mesh is drawn k times, at these places in the node's space.")
+        .def(
+            "set_matrix", &set_matrix, py::arg("node"), py::arg("matrix"),
+            "Move a node: give it another matrix, as in add_node(). A node with a matrix is not animated.\n\n"
+            "Renderer.place() moves the nodes of the scene that is drawn, which is faster.");
 }
 
 } // namespace

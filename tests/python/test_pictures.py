@@ -58,6 +58,38 @@ class Orientation(unittest.TestCase):
         np.testing.assert_allclose(red.mean(axis=0), [15.5, 47.5], atol=1.0)
 
 
+    def test_nodes_are_placed(self):
+        scene = scene_of_quad(base_color=(1, 0, 0), unlit=True)
+        half_size_right = np.diag([0.25, 0.25, 0.25, 1.0])
+        half_size_right[:3, 3] = 0.5, 0.5, 0
+        expected = draw(scene)
+        scene.set_matrix(0, half_size_right)
+        moved = draw(scene)
+        self.assertFalse(np.array_equal(expected, moved))
+        scene.set_matrix(0, np.eye(4))
+        np.testing.assert_array_equal(draw(scene), expected)
+        renderer().place({0: half_size_right})
+        np.testing.assert_array_equal(renderer().render(FACING, plain_style(), **SIZE), moved)
+        sheared = np.eye(4)
+        sheared[0, 1] = 0.5
+        for error, matrices in ((ValueError, {0: sheared}), (ValueError, {0: np.zeros((3, 3))}), (IndexError, {1: np.eye(4)}),
+                                (TypeError, {"quad": np.eye(4)}), (ValueError, {0: np.diag([0.0, 1, 1, 1])})):
+            with self.assertRaisesRegex(error, "^matrices: "):
+                renderer().place(matrices)
+
+    def test_mirrored_nodes_are_placed(self):
+        scene = scene_of_quad(base_color=(1, 0, 0), unlit=True, double_sided=True)
+        mirrored = np.diag([-0.5, 0.25, 1.0, 1.0])
+        mirrored[0, 3] = 0.25
+        scene.set_matrix(0, mirrored)
+        expected = draw(scene)
+        scene.set_matrix(0, np.eye(4))
+        draw(scene)
+        renderer().place({0: mirrored})
+        picture = renderer().render(FACING, plain_style(), **SIZE)
+        self.assertLess(float((picture != expected).any(axis=2).mean()), 0.02)
+
+
 class Tones(unittest.TestCase):
     def test_light_makes_the_quad_bright(self):
         style = plain_style()
@@ -67,6 +99,19 @@ class Tones(unittest.TestCase):
         lit, shaded = (draw(scene_of_quad(light, base_color=(0.5, 0.5, 0.5)), style=style)[32, 32, :3].astype(int)
                        for light in (from_front, from_behind))
         self.assertGreater(lit.min(), shaded.max() + 40)
+
+    def test_brightness_changes_the_tone(self):
+        style = plain_style()
+        style["light.source"] = "scene"
+        scene = scene_of_quad(np.eye(4), base_color=(0.5, 0.5, 0.5))
+        draw(scene, style=style)
+        bright = renderer().render(FACING, style, **SIZE)[32, 32, :3].astype(int)
+        renderer().set_brightness({0: 0.0})
+        dark = renderer().render(FACING, style, **SIZE)[32, 32, :3].astype(int)
+        self.assertGreater(bright.min(), dark.max() + 20)
+        for error, intensities in ((IndexError, {1: 1.0}), (ValueError, {0: -1.0}), (TypeError, {0: "bright"})):
+            with self.assertRaisesRegex(error, "^intensities: "):
+                renderer().set_brightness(intensities)
 
     def test_hatching_gives_ink_where_it_is_dark(self):
         style = plain_style()
