@@ -28,8 +28,8 @@ class Threads(unittest.TestCase):
         renderer().set_scene(cls.scene)
         renderer().render("square", "comic", **SIZE)  # compiles the shaders
 
-    def longest_wait_s(self, work):
-        """The longest time in which a second thread did not run while `work` ran, and how long that took."""
+    def counted_while(self, work):
+        """How often a second thread ran while `work` ran, and how long that took in seconds."""
         stamps = []
         done = threading.Event()
 
@@ -45,8 +45,7 @@ class Threads(unittest.TestCase):
         end = time.perf_counter()
         done.set()
         counter.join()
-        inside = [begin, *(stamp for stamp in stamps if begin < stamp < end), end]
-        return max(np.diff(inside)), end - begin, len(inside) - 2
+        return sum(begin < stamp < end for stamp in stamps), end - begin
 
     def test_drawing_lets_others_run(self):
         works = {
@@ -57,10 +56,10 @@ class Threads(unittest.TestCase):
         }
         for name, work in works.items():
             work()
-            _, took_s, count = self.longest_wait_s(work)
+            count, took_s = self.counted_while(work)
             # A thread that is let run counts about once per millisecond, on a busy machine still far more often than the
-            # handful of times between two calls.
-            self.assertGreater(count, 10 + 100 * took_s, f"{name} took {took_s:.3f} s")
+            # few times between two calls.
+            self.assertGreater(count, 10 + 20 * took_s, f"{name} took {took_s:.3f} s")
 
     def test_two_threads_share_a_renderer(self):
         expected = {style: renderer().render("square", style, **SIZE) for style in ("comic", "pencil")}
@@ -137,10 +136,10 @@ class Threads(unittest.TestCase):
         renderer().set_scene(self.scene)
 
     def test_pictures_do_not_leak(self):
-        size = {"width": 320, "height": 240}
+        size = {"width": 160, "height": 120}
 
         def round_of_calls():
-            renderer().render("square", "comic", **size)
+            renderer().render("square", "comic", width=400, height=300)
             layers = renderer().layers("square", "comic", **size)
             layers["wash"].sum()
             [stroke.points for stroke in renderer().strokes("square", "comic", **size)]
@@ -158,8 +157,8 @@ class Threads(unittest.TestCase):
         for _ in range(50):
             round_of_calls()
         gc.collect()
-        # 50 pictures of 320 x 240 have 15 MB, their layers 250 MB.
-        self.assertLess(resident_bytes() - before, 8e6)
+        # 50 pictures of 400 x 300 pixels have 24 MB, the layers of smaller ones 60 MB, and 50 textures 13 MB.
+        self.assertLess(resident_bytes() - before, 4e6)
 
     def test_references_are_released(self):
         scene = scene_of_quad()
