@@ -80,7 +80,7 @@ std::vector<uint32_t> checked_indices(const Dense<T>& array, const char* argumen
 
 py::array numbers_of(const py::handle& value, const char* argument, const char* kinds)
 {
-    const py::array array = py::array::ensure(value);
+    py::array array = py::array::ensure(value);
     if (!array) {
         PyErr_Clear();
         throw py::type_error(fmt::format("{}: is not an array of numbers", argument));
@@ -125,7 +125,7 @@ Dense<float> finite_floats(const py::handle& value, const char* argument,
         check_finite(wide, argument);
         return dense_of<float>(wide, argument);
     }
-    const Dense<float> dense = dense_of<float>(array, argument);
+    Dense<float> dense = dense_of<float>(array, argument);
     check_finite(dense, argument);
     return dense;
 }
@@ -135,7 +135,7 @@ Dense<double> finite_doubles(const py::handle& value, const char* argument,
 {
     const py::array array = numbers_of(value, argument, "fiu");
     check_shape(array, argument, expected_lengths);
-    const Dense<double> dense = dense_of<double>(array, argument);
+    Dense<double> dense = dense_of<double>(array, argument);
     check_finite(dense, argument);
     return dense;
 }

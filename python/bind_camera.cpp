@@ -60,18 +60,6 @@ Camera seen_from(const Scene& scene, const ScenePose& pose, double aspect, ViewD
     return view_camera(scene, pose, aspect, direction);
 }
 
-/// The camera of a scene that is only a terrain stands above the ground and looks against the sun's azimuth.
-Camera above_terrain(const Terrain& terrain, const Style& style, double time_s)
-{
-    const SunBearing sun = style.sun_bearing();
-    const double azimuth_rad = glm::radians(sun.azimuth_deg);
-    const double elevation_rad = glm::radians(sun.elevation_deg);
-    const double level = std::cos(elevation_rad);
-    return terrain_camera(
-        terrain, time_s,
-        {level * std::sin(azimuth_rad), std::sin(elevation_rad), level * std::cos(azimuth_rad)});
-}
-
 } // namespace
 
 CameraChoice parse_camera_choice(const std::string& text)
@@ -132,9 +120,6 @@ Camera resolve_camera(const CameraChoice& choice, const Scene& scene, const Styl
             scene_camera(scene, pose, choice.kind == CameraKind::named ? choice.name : std::to_string(first));
         return choice.parallel ? with_parallel_projection(camera, scene_bounds(scene, pose).center())
                                : camera;
-    }
-    if (scene.terrain && scene.meshes.empty()) {
-        return above_terrain(*scene.terrain, style, page.time_s);
     }
     const Camera framed = framing_camera(scene, pose, aspect, style.sun_bearing());
     return choice.parallel ? seen_from(scene, pose, aspect, direction_of_camera(framed), true) : framed;

@@ -12,7 +12,6 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "normals.hpp"
 
 namespace estampe::python {
 namespace {

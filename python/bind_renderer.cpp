@@ -113,8 +113,9 @@ DrawRequest request_of(const py::object& camera, const py::object& style, const 
     std::optional<double> max_seconds;
     request.animation = py::int_(0);
     bool has_size = false;
-    for (const auto& [key, value] : keywords) {
-        const auto name = key.cast<std::string>();
+    for (const auto& keyword : keywords) {
+        const auto name = keyword.first.cast<std::string>();
+        const py::handle value = keyword.second;
         const auto read = [&](auto& target) {
             try {
                 target = value.template cast<std::remove_reference_t<decltype(target)>>();

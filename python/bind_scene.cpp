@@ -82,6 +82,7 @@ template <typename Named>
 std::vector<std::string> names_of(const std::vector<Named>& things)
 {
     std::vector<std::string> names;
+    names.reserve(things.size());
     for (const Named& thing : things) {
         names.push_back(thing.name);
     }

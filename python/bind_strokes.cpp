@@ -64,7 +64,7 @@ void save_drawing(const VectorDrawing& drawing, const py::object& path, double t
 
 std::shared_ptr<VectorDrawing> for_plotter(const VectorDrawing& drawing)
 {
-    const auto prepared = std::make_shared<VectorDrawing>(drawing);
+    auto prepared = std::make_shared<VectorDrawing>(drawing);
     const py::gil_scoped_release unlocked;
     prepare_for_plotter(*prepared);
     return prepared;

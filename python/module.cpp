@@ -4,6 +4,7 @@
 #include <exception>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
@@ -78,7 +79,7 @@ void translate(std::exception_ptr thrown)
 {
     try {
         if (thrown) {
-            std::rethrow_exception(thrown);
+            std::rethrow_exception(std::move(thrown));
         }
     } catch (const DeviceLost& error) {
         raise(device_lost_type, error);

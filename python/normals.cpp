@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "normals.hpp"
-
+// Normals for parts that come without any.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,9 @@
 #include <numeric>
 #include <tuple>
 #include <utility>
+#include <vector>
+
+#include "bindings.hpp"
 
 namespace estampe::python {
 namespace {

@@ -40,7 +40,8 @@ kinds = sorted({stroke.kind for stroke in drawing})
 for number, kind in enumerate(kinds):
     points = [stroke.points for stroke in drawing if stroke.kind == kind]
     widths_pt = [float(p[:, 2].mean()) / 25.4 * 72 for p in points]
-    axes.add_collection(LineCollection([p[:, :2] for p in points], linewidths=widths_pt, colors=f"C{number}", label=kind))
+    lines = LineCollection([p[:, :2] for p in points], linewidths=widths_pt, colors=f"C{number}", label=kind)
+    axes.add_collection(lines)
 axes.set_xlim(0, drawing.width_mm)
 axes.set_ylim(drawing.height_mm, 0)  # y points down on the page
 axes.set_aspect("equal")

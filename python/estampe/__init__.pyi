@@ -2,11 +2,10 @@
 # Types of the package estampe; help(estampe) has the descriptions.
 import os
 from collections.abc import ItemsView, Iterator, KeysView, Mapping, Sequence, ValuesView
-from typing import Any, Literal, NamedTuple, SupportsIndex, TypedDict, Union
+from typing import Any, Literal, NamedTuple, Self, SupportsIndex, TypedDict, Union, Unpack
 
 import numpy as np
 import numpy.typing as npt
-from typing_extensions import Self, Unpack
 
 _Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]
 _Array = npt.ArrayLike

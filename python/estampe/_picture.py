@@ -13,8 +13,8 @@ from . import _estampe
 class Picture(np.ndarray):
     """A picture: a numpy array of the shape (h, w, 4), rows from top to bottom.
 
-    A uint8 picture is sRGB-encoded with straight alpha, a float32 picture is linear with premultiplied alpha. `paper` is
-    the linear colour that a transparent float32 picture leaves out, or None. Notebooks show the picture.
+    A uint8 picture is sRGB-encoded with straight alpha, a float32 picture is linear with premultiplied alpha. `paper`
+    is the linear colour that a transparent float32 picture leaves out, or None. Notebooks show the picture.
     """
 
     paper = None

@@ -24,8 +24,8 @@ class Style(_estampe.Style):
     the folders of the named files are read, for styles of strangers. Raises Error with file, line and column, the key,
     and the allowed values.
 
-    Values are bool, int, float or str; colours are texts such as "#1b1a22". Setting a value also takes a colour as three
-    sRGB numbers from 0 to 1. Keys can also be limited to materials or objects: 'material."brick*".hatch.width_mm'.
+    Values are bool, int, float or str; colours are texts such as "#1b1a22". Setting a value also takes a colour as
+    three sRGB numbers from 0 to 1. Keys can be limited to materials or objects: 'material."brick*".hatch.width_mm'.
     """
 
     def __init__(self, name="default", confine=False):

@@ -72,8 +72,10 @@ class Orientation(unittest.TestCase):
         np.testing.assert_array_equal(renderer().render(FACING, plain_style(), **SIZE), moved)
         sheared = np.eye(4)
         sheared[0, 1] = 0.5
-        for error, matrices in ((ValueError, {0: sheared}), (ValueError, {0: np.zeros((3, 3))}), (IndexError, {1: np.eye(4)}),
-                                (TypeError, {"quad": np.eye(4)}), (ValueError, {0: np.diag([0.0, 1, 1, 1])})):
+        flat = np.diag([0.0, 1, 1, 1])
+        for error, matrices in ((ValueError, {0: sheared}), (ValueError, {0: np.zeros((3, 3))}),
+                                (ValueError, {0: flat}), (IndexError, {1: np.eye(4)}),
+                                (TypeError, {"quad": np.eye(4)})):
             with self.assertRaisesRegex(error, "^matrices: "):
                 renderer().place(matrices)
 
@@ -224,6 +226,10 @@ class Results(unittest.TestCase):
             layers.save(os.path.join(folder, "a.ora"))
             layers.save(os.path.join(folder, "a"))
             self.assertIn("layers.json", os.listdir(os.path.join(folder, "a")))
+        before = layers.flattened()
+        layers["lines"][:] = 0
+        self.assertFalse(np.array_equal(layers.flattened(), before), "arrays share the memory of the layers")
+        layers = renderer().layers(style="comic", **SIZE)
         lines = layers["lines"]
         del layers
         self.assertGreater(float(lines[..., 3].max()), 0.1)
@@ -275,7 +281,8 @@ class Results(unittest.TestCase):
     def test_cameras_are_placed(self):
         style = estampe.Style()
         camera = estampe.Camera("auto").placed(self.scene, style, **SIZE)
-        np.testing.assert_array_equal(renderer().render(camera, style, **SIZE), renderer().render("auto", style, **SIZE))
+        expected = renderer().render("auto", style, **SIZE)
+        np.testing.assert_array_equal(renderer().render(camera, style, **SIZE), expected)
         self.assertEqual(camera.eye.shape, (3,))
 
     def test_wrong_arguments_are_named(self):

@@ -4,6 +4,7 @@
 import ast
 import inspect
 import os
+import tomllib
 import unittest
 
 import estampe
@@ -37,12 +38,13 @@ class Surface(unittest.TestCase):
 
     def test_every_name_is_in_the_stub(self):
         stub = self.stub_of()
-        self.assertEqual(sorted(n for n in stub if not n.startswith("_") or n == "__version__"), sorted(estampe.__all__))
+        names = [name for name in stub if not name.startswith("_") or name == "__version__"]
+        self.assertEqual(sorted(names), sorted(estampe.__all__))
         for name in estampe.__all__:
             thing = getattr(estampe, name)
             if not inspect.isclass(thing):
                 continue
-            shown = set(public_names(thing)) - {"count", "index"} if issubclass(thing, tuple) else set(public_names(thing))
+            shown = set(public_names(thing)) - ({"count", "index"} if issubclass(thing, tuple) else set())
             typed = {n for n in stub[name] if not n.startswith("_") or n in ("__getitem__", "__setitem__")}
             inherited = {n for base in thing.__mro__[1:-1] if base.__module__.startswith("estampe")
                          for n in public_names(base)}
@@ -83,7 +85,8 @@ class Surface(unittest.TestCase):
 
     def test_package_is_typed(self):
         self.assertTrue(os.path.exists(os.path.join(PACKAGE, "py.typed")))
-        self.assertRegex(estampe.__version__, r"^\d+\.\d+\.\d+$")
+        with open(os.path.join(os.environ["ESTAMPE_SOURCE"], "pyproject.toml"), "rb") as file:
+            self.assertEqual(tomllib.load(file)["project"]["version"], estampe.__version__)
 
 
 if __name__ == "__main__":

@@ -57,8 +57,8 @@ class Threads(unittest.TestCase):
         for name, work in works.items():
             work()
             count, took_s = self.counted_while(work)
-            # A thread that is let run counts about once per millisecond, on a busy machine still far more often than the
-            # few times between two calls.
+            # A thread that is let run counts about once per millisecond, on a busy machine still far more often than
+            # the few times between two calls.
             self.assertGreater(count, 10 + 20 * took_s, f"{name} took {took_s:.3f} s")
 
     def test_two_threads_share_a_renderer(self):
