@@ -52,6 +52,21 @@ class Parts(unittest.TestCase):
         apart = estampe.Part(corners[triangles].reshape(-1, 3), crease_deg=180)
         np.testing.assert_allclose(apart.normals, (apart.positions - 0.5) * 2 / np.sqrt(3), atol=1e-6)
 
+    def test_many_faces_at_one_position(self):
+        turn = np.linspace(0.0, 6.28, 200_000)
+        rim = np.stack([np.cos(turn), 0.1 * np.sin(7 * turn), -np.sin(turn)], axis=1)
+        first = np.arange(1, len(rim))
+        fan = np.stack([np.zeros_like(first), first, first + 1], axis=1)
+        for crease_deg in (0, 47):
+            part = estampe.Part(np.concatenate([[[0, 0, 0]], rim]), fan, crease_deg=crease_deg)
+            self.assertGreater(float(part.normals[:, 1].min()), 0.5)
+
+    def test_sizes_do_not_matter(self):
+        corners, triangles = cube()
+        for scale in (1e-18, 1e18, 3e37):
+            part = estampe.Part(corners * scale, triangles)
+            np.testing.assert_allclose(np.abs(part.normals).max(axis=1), 1, atol=1e-6)
+
     def test_given_normals_are_scaled(self):
         part = estampe.Part(QUAD, QUAD_TRIANGLES, normals=np.tile([0, 0, 1e-30], (4, 1)))
         np.testing.assert_allclose(part.normals, np.tile([0.0, 0.0, 1.0], (4, 1)))
