@@ -1,6 +1,6 @@
 # The program with its manual page, completion and place on a desktop, and Debian packages of all: cmake --preset package,
 # then cpack, see script/package. estampe has the program, libestampeX.Y what other programs are linked to, libestampe-dev
-# what they are built with.
+# what they are built with, and python3-estampe, with ESTAMPE_PYTHON, the Python module.
 install(TARGETS estampe RUNTIME COMPONENT program)
 set(desktop ${CMAKE_CURRENT_LIST_DIR}/desktop)
 
@@ -27,7 +27,12 @@ add_custom_command(OUTPUT ${told}/changelog.Debian.gz
   DEPENDS ${desktop}/changelog
   VERBATIM)
 add_custom_target(estampe_changelog ALL DEPENDS ${told}/changelog.Debian.gz)
-foreach(component_of program=estampe library=${library_package} development=libestampe-dev)
+set(components_of_packages program=estampe library=${library_package} development=libestampe-dev)
+if(ESTAMPE_PYTHON)
+  list(APPEND components_of_packages python=python3-estampe)
+endif()
+set(CPACK_COMPONENTS_ALL)
+foreach(component_of ${components_of_packages})
   string(REGEX MATCH "(.+)=(.+)" _ ${component_of})
   set(component ${CMAKE_MATCH_1})
   set(package ${CMAKE_MATCH_2})
@@ -36,11 +41,11 @@ foreach(component_of program=estampe library=${library_package} development=libe
   install(FILES ${told}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
   string(TOUPPER ${component} upper)
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
+  list(APPEND CPACK_COMPONENTS_ALL ${component})
 endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL program library development)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -75,4 +80,17 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library_package} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libglm-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS libvulkan-dev) # for estampe/vulkan.hpp
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+
+if(ESTAMPE_PYTHON)
+  # The extension fits one minor version of Python, and the library that it was built with.
+  string(REGEX MATCH "^3\\.([0-9]+)" python_version ${Python3_VERSION})
+  math(EXPR next_minor "${CMAKE_MATCH_1} + 1")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+"The Python module estampe. It draws scene files and numpy arrays, and returns
+pictures, layers and strokes as numpy arrays.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "${library_package} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), "
+    "python3 (>= ${python_version}~), python3 (<< 3.${next_minor}), python3-numpy")
+endif()
 include(CPack)

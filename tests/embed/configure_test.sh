@@ -27,7 +27,7 @@ command="$(grep '"command".*embed/main\.cpp' "$build/compile_commands.json" || t
 for unwanted in -Werror -Wconversion "-I$root/src" "$build/estampe/src" ccache; do
     [[ "$command" != *"$unwanted"* ]] || wrong "$unwanted reaches a project that adds Estampe: $command"
 done
-for target in estampe_unit_tests estampe_example_square bin/estampe; do
+for target in estampe_unit_tests estampe_example_square bin/estampe estampe_python; do
     ! grep -q "$target" "$build/build.ninja" || wrong "$target is built for a project that adds Estampe"
 done
 ! grep -q estampe_baking "$build/build.ninja" || wrong "baking is built for a project that did not ask for it"

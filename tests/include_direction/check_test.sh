@@ -6,7 +6,7 @@ check="$(cd "$(dirname "$0")" && pwd)/check"
 tree="$(mktemp -d)"
 trap 'rm -rf "$tree"' EXIT
 mkdir -p "$tree"/src/{core,scene,style,gpu,frame,features/common,features/smoke,features/ink,techniques/hatch/alternatives,techniques/light,techniques/shadow} \
-    "$tree"/{app,bench,examples,tests/support,worlds/hill}
+    "$tree"/{app,bench,examples,python,tests/support,worlds/hill}
 
 # write FILE INCLUDE: one file with one include
 write() { printf '#include "%s"\n' "$2" >"$tree/$1"; }
@@ -31,6 +31,7 @@ write bench/speed.cpp scene/pose.hpp
 write tests/support/drawing.cpp frame/frame.hpp
 write worlds/hill/hill.cpp estampe/scene.hpp
 write app/options.cpp world/registry.hpp
+write python/bind.cpp estampe/scene.hpp
 write app/options_test.cpp hill/hill.hpp
 bash "$check" "$tree" || { echo "right includes were refused"; exit 1; }
 
@@ -65,6 +66,7 @@ expect_refused src/frame/bad.cpp bench/speed.hpp
 expect_refused src/frame/bad.cpp support/drawing.hpp
 expect_refused src/frame/bad.cpp scene/scene_test_support.hpp
 expect_refused worlds/hill/bad.cpp scene/shapes.hpp
+expect_refused python/bad.cpp scene/shapes.hpp
 expect_refused app/bad.cpp hill/hill.hpp
 expect_refused bench/bad.cpp app/text.hpp
 expect_refused bench/bad.cpp support/drawing.hpp

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # What is installed under a prefix of its own is found by CMake and by pkg-config, draws, and hides what is Estampe's own.
-# Usage: install_test.sh CMAKE BUILD ESTAMPE_FOLDER MAKE_EXAMPLE
+# Usage: install_test.sh CMAKE BUILD ESTAMPE_FOLDER MAKE_EXAMPLE [PYTHON]     PYTHON, where its module is built
 set -euo pipefail
 cmake="$1"
 build="$2"
@@ -62,4 +62,28 @@ export PKG_CONFIG_PATH="$libraries/pkgconfig"
 # shellcheck disable=SC2046 # flags are words
 quietly c++ -std=c++20 "$root/examples/installed/main.cpp" -o "$folder/packaged" $(pkg-config --cflags --libs estampe)
 draws "$folder/packaged"
+
+if [[ -n "${5:-}" ]]; then
+    cat >"$folder/draw.py" <<'EOF'
+import os
+import sys
+
+import estampe
+
+assert os.path.realpath(estampe.__file__).startswith(os.path.realpath(sys.argv[1])), estampe.__file__
+renderer = estampe.Renderer("cpu")
+renderer.set_scene(estampe.Scene.load(sys.argv[2]))
+renderer.render("auto", width=64, height=36).save(sys.argv[3])
+EOF
+    module="$(dirname "$(find "$prefix" -path '*/estampe/__init__.py')")"
+    for file in __init__.pyi py.typed; do
+        [[ -f "$module/$file" ]] || wrong "$file is not installed"
+    done
+    shown="$(nm --dynamic --defined-only --format=posix "$module"/_estampe.*.so | grep -v '^PyInit__estampe ' || true)"
+    [[ -z "$shown" ]] || wrong "the extension shows $(head -n 5 <<<"$shown")"
+    rm -f "$folder/picture.png"
+    quietly env LD_LIBRARY_PATH="$libraries" PYTHONPATH="$(dirname "$module")" "$5" -B "$folder/draw.py" "$prefix" \
+        "$folder/scene.glb" "$folder/picture.png"
+    [[ "$(head -c 4 "$folder/picture.png" | tail -c 3)" == PNG ]] || wrong "the installed module draws no PNG"
+fi
 [[ $failures -eq 0 ]]

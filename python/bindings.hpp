@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The classes of the module, and the functions that add them to it. Each bind_*.cpp has one of these
+// functions.
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <estampe/image.hpp>
+#include <estampe/lightmap.hpp>
+#include <estampe/scene.hpp>
+#include <estampe/style.hpp>
+#include <estampe/views.hpp>
+#include <estampe/work_limits.hpp>
+
+namespace estampe::python {
+
+namespace py = pybind11;
+
+/// A scene together with its lightmap.
+struct LitScene {
+    Scene scene;
+    std::optional<Lightmap> lightmap;
+};
+
+/// A scene as Python holds it. A renderer reads the scene without Python's global lock (GIL), so a scene that
+/// others hold is never changed: edit() copies it first.
+class SharedScene {
+public:
+    SharedScene() : lit_(std::make_shared<LitScene>()) {}
+
+    explicit SharedScene(LitScene lit) : lit_(std::make_shared<LitScene>(std::move(lit))) {}
+
+    [[nodiscard]] const Scene& scene() const { return lit_->scene; }
+
+    /// Returns the scene for readers that keep it, or that read it without the GIL.
+    [[nodiscard]] std::shared_ptr<const LitScene> snapshot() const { return lit_; }
+
+    /// Returns the scene for a change, which no snapshot sees. Only called with the GIL.
+    [[nodiscard]] LitScene& edit()
+    {
+        if (lit_.use_count() > 1) {
+            lit_ = std::make_shared<LitScene>(*lit_);
+        }
+        // The last reader has released its share, perhaps in another thread: its reads come before the
+        // change.
+        std::atomic_thread_fence(std::memory_order_acquire);
+        return *lit_;
+    }
+
+private:
+    std::shared_ptr<LitScene> lit_;
+};
+
+/// Drawable part of a mesh, whose material is checked when the part becomes part of a scene.
+struct Part {
+    Primitive primitive;
+};
+
+/// Computes the normals of a triangle mesh. The normal of a corner is the average of the faces at the
+/// corner's position, weighted by their angles there. Only those faces count whose own normal differs by at
+/// most `crease_deg` from the normal of the corner's face: 0 shades every face flat, 180 shades the whole
+/// surface smoothly. Vertices whose corners get different normals are repeated, together with their other
+/// attributes. The number and order of triangles stay. Cost: linear in triangles, as
+/// not all pairs of faces are compared where more than a thousand of them meet.
+void compute_normals(Primitive& primitive, double crease_deg);
+
+/// What decides where a camera stands. Automatic: the first camera of the scene's file, or else framed.
+enum class CameraKind { automatic, framed, named, directed, placed };
+
+/// A camera as Python holds it; only a placed one is independent of the scene, the style and the page.
+struct CameraChoice {
+    CameraKind kind = CameraKind::automatic;
+    std::string name;        ///< Only for CameraKind::named: a camera of the scene, or else a view
+    ViewDirection direction; ///< Only for CameraKind::directed
+    Camera placed;           ///< Only for CameraKind::placed
+    bool parallel = false;   ///< Parallel projection, whatever the camera has
+};
+
+/// The page and the time that a camera is chosen for.
+struct CameraPage {
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    double time_s = 0.0;
+    Index animation = 0;
+};
+
+/// Reads a camera as the command line has it: "auto", "eye=... target=...", "azimuth=... elevation=...", or
+/// the name of a camera or view.
+[[nodiscard]] CameraChoice parse_camera_choice(const std::string& text);
+
+/// Converts a Python argument to a camera: None, a text or a Camera. Throws TypeError for anything else.
+[[nodiscard]] CameraChoice camera_of(const py::object& value, const char* argument);
+
+/// Places a camera in a scene, exactly as `estampe render` does. Throws Error if the scene has no such
+/// camera.
+[[nodiscard]] Camera resolve_camera(const CameraChoice& choice, const Scene& scene, const Style& style,
+                                    const CameraPage& page);
+
+/// Returns the animation of a number or a name. Throws ValueError that lists the names.
+[[nodiscard]] Index animation_of(const py::object& value, const Scene& scene);
+
+/// Converts limits; None is no limit. Throws ValueError for a limit that is not positive.
+[[nodiscard]] WorkLimits limits_of(const std::optional<double>& max_memory_bytes,
+                                   const std::optional<double>& max_seconds);
+
+/// Converts a text or a path object of Python. Throws TypeError for anything else.
+[[nodiscard]] std::filesystem::path path_of(const py::object& value, const char* argument);
+
+/// Converts a (h, w, 3) or (h, w, 4) uint8 array to an image. Throws TypeError and ValueError.
+[[nodiscard]] Image image_of(const py::object& pixels, const char* argument);
+
+/// Views a (height, width, 4) array as estampe.Picture, without a copy.
+[[nodiscard]] py::object as_picture(const py::array& pixels, const py::object& paper = py::none());
+
+void bind_errors(py::module_& module);
+void bind_part(py::module_& module);
+void bind_scene(py::module_& module);
+void bind_style(py::module_& module);
+void bind_camera(py::module_& module);
+void bind_pictures(py::module_& module);
+void bind_layers(py::module_& module);
+void bind_strokes(py::module_& module);
+void bind_renderer(py::module_& module);
+
+} // namespace estampe::python

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""Pictures as numpy arrays that notebooks show and that save themselves."""
+
+import os
+import tempfile
+from typing import NamedTuple
+
+import numpy as np
+
+from . import _estampe
+
+
+class Picture(np.ndarray):
+    """A picture: a numpy array of the shape (h, w, 4), rows from top to bottom.
+
+    A uint8 picture is sRGB-encoded with straight alpha, a float32 picture is linear with premultiplied alpha. `paper`
+    is the linear colour that a transparent float32 picture leaves out, or None. Notebooks show the picture.
+    """
+
+    paper = None
+
+    def __array_finalize__(self, source):
+        self.paper = getattr(source, "paper", None)
+
+    @property
+    def array(self) -> np.ndarray:
+        """The same pixels as a plain numpy array, which shares their memory."""
+        return self.view(np.ndarray)
+
+    def save(self, path, quality=None) -> None:
+        """Write the picture; the ending of `path` chooses the format.
+
+        uint8: .png, .jpg, .jpeg (quality 1 to 100, 92 if left out; no alpha) or .webp (quality 0 to 100, lossless if
+        left out). float32: .exr (half floats) or .png (16 bits). Raises Error if the file cannot be written, and
+        ValueError for another ending. The file appears when it is complete.
+        """
+        ending = os.path.splitext(os.fspath(path))[1].lower()
+        if isinstance(ending, bytes):
+            ending = ending.decode(errors="replace")
+        if self.dtype.kind == "f" and ending in (".exr", ".png"):
+            _estampe._save_linear(self, path, self.paper, ending == ".exr")
+        elif self.dtype.kind == "u" and ending == ".png":
+            _estampe._save_png(self, path)
+        elif self.dtype.kind == "u" and ending in (".jpg", ".jpeg"):
+            _estampe._save_jpeg(self, path, 92 if quality is None else quality)
+        elif self.dtype.kind == "u" and ending == ".webp":
+            _estampe._save_webp(self, path, quality)
+        else:
+            allowed = ".exr or .png" if self.dtype.kind == "f" else ".png, .jpg, .jpeg or .webp"
+            raise ValueError(f"path: a picture of {self.dtype} is not written as {ending!r}, but as {allowed}")
+
+    def _repr_png_(self):
+        """Return the picture as the bytes of a PNG file, for notebooks; None if the array is no picture any more."""
+        if self.ndim != 3 or self.shape[2] != 4 or self.size == 0 or self.dtype not in (np.uint8, np.float32):
+            return None
+        with tempfile.TemporaryDirectory(prefix="estampe-") as folder:
+            path = os.path.join(folder, "picture.png")
+            self.save(path)
+            with open(path, "rb") as file:
+                return file.read()
+
+
+class Mask(NamedTuple):
+    """Coverage of one object or effect in a picture, see Layers.masks."""
+
+    name: str
+    is_object: bool
+    x: int
+    y: int
+    cover: np.ndarray
+
+
+Mask.name.__doc__ = "Name of the node, or of the effect, such as \"shadow\"."
+Mask.is_object.__doc__ = "Whether the mask shows a node of the scene, and not an effect."
+Mask.x.__doc__ = "Left edge of the covered rectangle, in pixels."
+Mask.y.__doc__ = "Upper edge of the covered rectangle, in pixels from the top."
+Mask.cover.__doc__ = "(height, width) float32: coverage of each pixel of the rectangle, 0 to 1."
