@@ -157,7 +157,7 @@ Camera camera_of_matrix(const py::object& matrix)
 CameraChoice make_camera(const std::optional<std::string>& text, const py::object& eye,
                          const py::object& target, const py::object& up, const py::object& matrix,
                          const std::optional<double>& fov_deg, const std::optional<double>& half_height_m,
-                         const std::optional<double>& near_m, bool ortho)
+                         const std::optional<double>& near_m, bool ortho, const py::object& shift)
 {
     const bool has_numbers = !eye.is_none() || !target.is_none() || !up.is_none() || !matrix.is_none() ||
                              fov_deg || half_height_m || near_m;
@@ -197,6 +197,15 @@ CameraChoice make_camera(const std::optional<std::string>& text, const py::objec
         }
     }
     choice.parallel = ortho;
+    if (!shift.is_none()) {
+        if (choice.kind != CameraKind::placed) {
+            throw py::value_error("shift: needs eye and target, or a matrix");
+        }
+        const Dense<double> numbers = finite_doubles(shift, "shift", {2});
+        constexpr double most_shift = 100.0;
+        choice.placed.shift = {number_within(numbers.at(0), "shift", -most_shift, most_shift),
+                               number_within(numbers.at(1), "shift", -most_shift, most_shift)};
+    }
     return choice;
 }
 
@@ -258,8 +267,10 @@ Camera(eye=(2, 1, 3), target=(0, 0.5, 0))      stands at a point, of numbers
 Camera(matrix=world_from_camera)               (4, 4): looks along -z of the matrix, with y up
 
 fov_deg is the vertical angle of view, 1 to 170 degrees. half_height_m is half the height of a parallel projection in
-metres. near_m is the distance of the near plane. ortho makes any camera one of parallel projection. A text that is
-not valid raises Error; whether the scene has a named camera is only known when a picture is drawn.)";
+metres. near_m is the distance of the near plane. ortho makes any camera one of parallel projection. shift is the lens
+shift: two numbers, how far the middle of the picture lies to the right of and above the axis of view, in shares of the
+picture's width and height; it needs a camera of numbers, or stands in the text as shift=right,up. A text that is not
+valid raises Error; whether the scene has a named camera is only known when a picture is drawn.)";
 
 } // namespace
 
@@ -270,7 +281,7 @@ void bind_camera(py::module_& module)
         .def(py::init(&make_camera), py::arg("text") = py::none(), py::kw_only(), py::arg("eye") = py::none(),
              py::arg("target") = py::none(), py::arg("up") = py::none(), py::arg("matrix") = py::none(),
              py::arg("fov_deg") = py::none(), py::arg("half_height_m") = py::none(),
-             py::arg("near_m") = py::none(), py::arg("ortho") = false,
+             py::arg("near_m") = py::none(), py::arg("ortho") = false, py::arg("shift") = py::none(),
              "Make a camera of a text or of numbers; see the class.")
         .def_property_readonly(
             "eye", [](const CameraChoice& choice) { return numbers_or_none(choice, choice.placed.eye); },
@@ -297,6 +308,14 @@ void bind_camera(py::module_& module)
                                                          : std::nullopt;
             },
             "Half the height of a parallel projection in metres; None for perspective projection.")
+        .def_property_readonly(
+            "shift",
+            [](const CameraChoice& choice) -> std::optional<std::pair<double, double>> {
+                return choice.kind == CameraKind::placed
+                           ? std::optional(std::pair(choice.placed.shift.x, choice.placed.shift.y))
+                           : std::nullopt;
+            },
+            "Lens shift, to the right and up, in shares of the picture; None if it depends on the scene.")
         .def("placed", &placed_in, py::arg("scene"), py::arg("style"), py::kw_only(), py::arg("width") = 1280,
              py::arg("height") = 720, py::arg("time_s") = 0.0, py::arg("animation") = 0,
              "Return the camera as numbers, as it sees a scene on a page of this size at this time.\n\n"

@@ -249,6 +249,23 @@ py::object motion(SharedRenderer& self, const py::object& camera, const py::obje
     return array_owning<float>(std::move(motion.pixels), {motion.height, motion.width, 4});
 }
 
+py::object buffers(SharedRenderer& self, const py::object& camera, const py::object& style,
+                   const py::kwargs& keywords)
+{
+    DrawRequest request = request_of(camera, style, keywords);
+    SurfaceBuffers found = draw_request(self, request, [](Renderer& renderer, const auto&... how) {
+        return renderer.render_buffers(how...);
+    });
+    const py::ssize_t height = found.height;
+    const py::ssize_t width = found.width;
+    static_assert(static_cast<int32_t>(no_index) == -1); // the number that stands for nothing in Python
+    return py::module_::import("estampe._picture")
+        .attr("Buffers")(array_owning<float>(std::move(found.depth_m), {height, width}),
+                         array_owning<float>(std::move(found.normals), {height, width, 3}),
+                         array_owning<int32_t>(std::move(found.objects), {height, width}),
+                         array_owning<int32_t>(std::move(found.materials), {height, width}));
+}
+
 /// Takes a matrix apart. Throws ValueError if its axes are not at right angles or have no length.
 Transform transform_of(const glm::dmat4& matrix, const char* argument)
 {
@@ -416,6 +433,14 @@ void bind_renderer(py::module_& module)
              "samples\n"
              "is ignored. A larger size gives finer paths. Raises Error if the style draws strokes without "
              "paths.")
+        .def(
+            "buffers", &buffers, py::arg("camera") = py::none(), py::arg("style") = py::none(),
+            "Return what each pixel of render() shows of the scene, as Buffers: distance, normal, node and\n"
+            "material.\n\n"
+            "No picture is drawn. The style matters for its margin and for the parts of transparent surfaces "
+            "that\n"
+            "it draws as solid. Keywords are those of the class; samples is ignored. Cost: a small part of "
+            "render().")
         .def("motion", &motion, py::arg("camera") = py::none(), py::arg("style") = py::none(), py::kw_only(),
              py::arg("since_time_s"), py::arg("since_camera") = py::none(),
              "Draw the scene, and return how far each point has moved on the page: (h, w, 4) float32.\n\n"

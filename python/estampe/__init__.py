@@ -29,10 +29,11 @@ from ._estampe import (
     load_image,
 )
 from ._page import Page
-from ._picture import Mask, Picture
+from ._picture import Buffers, Mask, Picture
 from ._style import Style
 
 __all__ = [
+    "Buffers",
     "Camera",
     "Device",
     "DeviceLost",
@@ -53,7 +54,7 @@ __all__ = [
 ]
 
 # Messages and help name the package, where the classes are public, and not the extension.
-for _class in (Camera, Device, Drawing, Layers, Mask, Page, Part, Picture, Renderer, Scene, Stroke, Style):
+for _class in (Buffers, Camera, Device, Drawing, Layers, Mask, Page, Part, Picture, Renderer, Scene, Stroke, Style):
     _class.__module__ = "estampe"
 
 _abc.Mapping.register(Layers)

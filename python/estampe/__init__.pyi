@@ -187,7 +187,10 @@ class Camera:
         half_height_m: float | None = None,
         near_m: float | None = None,
         ortho: bool = False,
+        shift: _Array | None = None,
     ) -> None: ...
+    @property
+    def shift(self) -> tuple[float, float] | None: ...
     @property
     def eye(self) -> npt.NDArray[np.float64] | None: ...
     @property
@@ -230,6 +233,12 @@ class Mask(NamedTuple):
     x: int
     y: int
     cover: npt.NDArray[np.float32]
+
+class Buffers(NamedTuple):
+    depth_m: npt.NDArray[np.float32]
+    normals: npt.NDArray[np.float32]
+    objects: npt.NDArray[np.int32]
+    materials: npt.NDArray[np.int32]
 
 class Layers(Mapping[str, npt.NDArray[np.float32]]):
     def __getitem__(self, name: str) -> npt.NDArray[np.float32]: ...
@@ -306,6 +315,7 @@ class Renderer:
     def strokes(
         self, camera: _Camera = None, style: _Style = None, hidden: bool = False, **settings: Unpack[_Settings]
     ) -> Drawing: ...
+    def buffers(self, camera: _Camera = None, style: _Style = None, **settings: Unpack[_Settings]) -> Buffers: ...
     def motion(
         self,
         camera: _Camera = None,

@@ -75,3 +75,18 @@ Mask.is_object.__doc__ = "Whether the mask shows a node of the scene, and not an
 Mask.x.__doc__ = "Left edge of the covered rectangle, in pixels."
 Mask.y.__doc__ = "Upper edge of the covered rectangle, in pixels from the top."
 Mask.cover.__doc__ = "(height, width) float32: coverage of each pixel of the rectangle, 0 to 1."
+
+
+class Buffers(NamedTuple):
+    """What each pixel of a picture shows of the scene, see Renderer.buffers()."""
+
+    depth_m: np.ndarray
+    normals: np.ndarray
+    objects: np.ndarray
+    materials: np.ndarray
+
+
+Buffers.depth_m.__doc__ = "(h, w) float32: distance from the eye along the axis of view in metres; inf without a surface."
+Buffers.normals.__doc__ = "(h, w, 3) float32: unit normals in world space, towards the eye; 0 without a surface."
+Buffers.objects.__doc__ = "(h, w) int32: numbers of nodes; -1 without a surface, on terrain and on added ground."
+Buffers.materials.__doc__ = "(h, w) int32: numbers of materials; -1 where objects is -1."

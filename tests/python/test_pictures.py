@@ -33,6 +33,34 @@ class Orientation(unittest.TestCase):
                 self.assertGreater(color[channel] - np.delete(color, channel).max(), 60)
             self.assertGreater(quarters[1][1].min(), 200)
 
+    def test_a_lens_shift_moves_the_picture(self):
+        scene = scene_of_quad(unlit=True)
+        renderer().set_scene(scene)
+        straight = estampe.Camera(eye=(0, 0, 5), target=(0, 0, 0), half_height_m=2)
+        shifted = estampe.Camera(eye=(0, 0, 5), target=(0, 0, 0), half_height_m=2, shift=(0.25, -0.125))
+        text = "eye=0,0,5 target=0,0,0 ortho=2 shift=0.25,-0.125"
+        self.assertEqual(shifted.shift, (0.25, -0.125))
+        before = renderer().buffers(straight, plain_style(), **SIZE).objects
+        after = renderer().buffers(shifted, plain_style(), **SIZE).objects
+        self.assertEqual((before == 0).sum(), 32 * 32)
+        np.testing.assert_array_equal(np.roll(before, (-8, -16), axis=(0, 1)), after)
+        np.testing.assert_array_equal(renderer().buffers(text, plain_style(), **SIZE).objects, after)
+        with self.assertRaisesRegex(ValueError, "shift"):
+            estampe.Camera("auto", shift=(0, 0))
+        with self.assertRaisesRegex(ValueError, "shift"):
+            estampe.Camera(eye=(0, 0, 5), shift=(np.nan, 0))
+
+    def test_buffers_hold_distances_normals_and_numbers(self):
+        renderer().set_scene(scene_of_quad(unlit=True))
+        buffers = renderer().buffers("eye=0,0,5 target=0,0,0 ortho=2", plain_style(), **SIZE)
+        self.assertEqual([array.dtype for array in buffers], [np.float32, np.float32, np.int32, np.int32])
+        self.assertEqual([array.shape for array in buffers], [(64, 64), (64, 64, 3), (64, 64), (64, 64)])
+        self.assertAlmostEqual(float(buffers.depth_m[32, 32]), 5.0, places=3)
+        np.testing.assert_allclose(buffers.normals[32, 32], [0, 0, 1], atol=1e-3)
+        self.assertEqual((buffers.objects[32, 32], buffers.materials[32, 32]), (0, 0))
+        self.assertEqual((buffers.objects[0, 0], buffers.materials[0, 0]), (-1, -1))
+        self.assertEqual(buffers.depth_m[0, 0], np.inf)
+
     def test_views_show_their_sides(self):
         scene = estampe.Scene()
         colors = {"front": (1, 0, 0), "right": (0, 1, 0), "top": (0, 0, 1)}
