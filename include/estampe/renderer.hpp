@@ -170,8 +170,9 @@ public:
     [[nodiscard]] RasterPath raster_path() const;
 
     /// Uploads `scene`, which replaces the previous scene. A `lightmap` adds its light to static objects.
-    /// Throws Error if the scene exceeds the device's memory or limits, or if the lightmap belongs to another
-    /// scene.
+    /// Throws Error with the first of the faults() of a scene that a program made wrongly; the previous scene
+    /// then stays. Throws Error if the scene exceeds the device's memory or limits, or if the lightmap
+    /// belongs to another scene; then there is no scene.
     void set_scene(const Scene& scene, const Lightmap* lightmap = nullptr);
 
     /// Replaces the terrain of the scene, including its graph, masks, mesh and colour; the rest of the scene
@@ -250,9 +251,10 @@ public:
 
     /// Returns what each pixel of render() shows of the scene: distance, normal, object, material, and the
     /// motion if `motion_since` is set. Pixels in the margin of the style's paper are blank. No picture is
-    /// drawn; `samples` and `tile_px` are ignored. Throws Error as render() does, and if the page is too
-    /// large to be drawn without tiles. Cost: rasterisation and one more pass over the page; 16 bytes per
-    /// pixel are read back.
+    /// drawn; `samples` and `tile_px` are ignored. Otherwise the call counts as a picture: `continuity` says
+    /// whether it is part of a film, and motion() is replaced. Throws Error as render() does, and if the page
+    /// is too large to be drawn without tiles. Cost: rasterisation and one more pass over the page; 16 bytes
+    /// per pixel are read back.
     [[nodiscard]] SurfaceBuffers render_buffers(const Camera& camera, const Style& style,
                                                 const RenderSettings& settings);
 

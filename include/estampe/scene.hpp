@@ -428,16 +428,17 @@ struct Bounds {
 /// Viewpoint and projection of a picture, in world space.
 struct Camera {
     glm::dvec3 eye{0.0, 0.0, 5.0};
-    glm::dvec3 target{0.0}; ///< Point that the camera looks at, in the middle of the picture
+    /// Point that the camera looks at; in the middle of the picture unless `shift` moves it.
+    glm::dvec3 target{0.0};
     glm::dvec3 up{0.0, 1.0, 0.0};
     double vertical_fov_rad = 0.6;
     /// Half the height of a parallel projection; empty: perspective projection.
     std::optional<double> orthographic_half_height_m;
     double near_m = 0.01;
     /// Lens shift: how far the middle of the picture lies to the right of and above the axis of view, as
-    /// shares of the picture's width and height. At (0.5, 0), `target` is in the middle of the left edge. A
-    /// shift keeps parallel lines parallel, as in drawings of facades, where turning the camera would make
-    /// them converge.
+    /// shares of the picture's width and height, without the margin of its paper. At (0.5, 0), `target` is in
+    /// the middle of the left edge. A shift keeps parallel lines parallel, as in drawings of facades, where
+    /// turning the camera would make them converge.
     glm::dvec2 shift{0.0};
 
     bool operator==(const Camera& other) const = default;

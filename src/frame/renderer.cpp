@@ -225,13 +225,13 @@ void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTable
 
 namespace {
 
-/// Returns the height of the page without its margin, as a share of the page's height.
-double window_share(const paper::PaperStyle& style, const RenderSettings& settings)
+/// Returns the size of the page without its margin, as shares of the page's width and height.
+glm::dvec2 window_share(const paper::PaperStyle& style, const RenderSettings& settings)
 {
     const float page_width_mm =
         style.height_mm * static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const paper::Window window = paper::window_of(style, page_width_mm);
-    return static_cast<double>(window.max_mm.y - window.min_mm.y) / style.height_mm;
+    return glm::dvec2(window.max_mm - window.min_mm) / glm::dvec2(page_width_mm, style.height_mm);
 }
 
 } // namespace

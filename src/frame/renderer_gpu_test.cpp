@@ -132,14 +132,18 @@ TEST(Renderer, TheLensShiftMovesThePictureOnThePage)
     parallel.orthographic_half_height_m = 1.5;
     for (const Camera& from : {camera, parallel}) {
         const RenderSettings settings{.width = 240, .height = 120};
-        Style style = Style::load("cel+no-shadow");
-        style.set("paper.margin_mm=0");
-        const glm::dvec2 before = middle_of_ink(draw_still_life(scene, from, settings, style));
-        Camera shifted = from;
-        shifted.shift = {0.25, -0.2};
-        const glm::dvec2 after = middle_of_ink(draw_still_life(scene, shifted, settings, style));
-        EXPECT_NEAR(after.x - before.x, -0.25 * 240, 1.0);
-        EXPECT_NEAR(after.y - before.y, -0.2 * 120, 1.0);
+        for (const double margin_mm : {0.0, 15.0}) {
+            Style style = Style::load("cel+no-shadow");
+            style.set("paper.height_mm=120"); // a millimetre is a pixel
+            style.set("paper.margin_mm=" + std::to_string(margin_mm));
+            style.set("paper.border_mm=0");
+            const glm::dvec2 before = middle_of_ink(draw_still_life(scene, from, settings, style));
+            Camera shifted = from;
+            shifted.shift = {0.25, -0.2};
+            const glm::dvec2 after = middle_of_ink(draw_still_life(scene, shifted, settings, style));
+            EXPECT_NEAR(after.x - before.x, -0.25 * (240 - 2.0 * margin_mm), 1.0) << margin_mm;
+            EXPECT_NEAR(after.y - before.y, -0.2 * (120 - 2.0 * margin_mm), 1.0) << margin_mm;
+        }
     }
 }
 

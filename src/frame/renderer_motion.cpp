@@ -71,6 +71,7 @@ Camera carried_back(const Camera& now, const Camera& before, double share)
     Camera back = before;
     back.eye = glm::mix(now.eye, before.eye, share);
     back.target = glm::mix(now.target, before.target, share);
+    back.shift = glm::mix(now.shift, before.shift, share);
     return share == 1.0 ? before : back;
 }
 

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
 
 #include <estampe/surface_buffers.hpp>
 
+#include "core/free_memory.hpp"
 #include "core/job_limits.hpp"
 #include "features/motion/motion.hpp"
 #include "frame/renderer_impl.hpp"
@@ -81,6 +83,10 @@ private:
     double at_one_m_ = 0.0;
 };
 
+/// Memory that one pixel takes: 40 bytes in SurfaceReading and SurfaceBuffers together, and 32 for its
+/// motion.
+constexpr uint64_t bytes_a_buffer_pixel = 72;
+
 /// The node and the material of each draw call.
 struct DrawnThing {
     Index object = no_index;
@@ -122,6 +128,9 @@ SurfaceBuffers Renderer::render_buffers(const Camera& camera, const Style& style
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, page_settings);
     const glm::uvec2 size_px(settings.width, settings.height);
+    require_memory(frame::bytes_a_buffer_pixel * size_px.x * size_px.y,
+                   fmt::format("the buffers of {} x {} pixels", size_px.x, size_px.y), "size",
+                   "ask for a smaller picture");
     frame::SurfaceReading reading = frame::make_surface_reading(impl.device, size_px);
     impl.draw_frame(seen_by, tables, plan, {.surface = &reading});
 
@@ -155,6 +164,13 @@ SurfaceBuffers Renderer::render_buffers(const Camera& camera, const Style& style
     if (settings.motion_since) {
         impl.motion = features::read_motion(impl.buffers.motion_pixels, settings);
         buffers.motion = impl.motion;
+        for (size_t i = 0; i < pixels; ++i) {
+            const glm::uvec2 pixel(i % size_px.x, i / size_px.x);
+            if (glm::any(glm::lessThan(pixel, window.min_px)) ||
+                glm::any(glm::greaterThanEqual(pixel, window.max_px))) {
+                buffers.motion.pixels[i] = glm::vec4(0.0F);
+            }
+        }
     }
     return buffers;
 }

@@ -166,8 +166,12 @@ TEST(SurfaceBuffers, AreBlankInTheMargin)
     style.set("paper.margin_mm=20");
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(test::scene_of(shapes::sphere(100.0F)));
-    const SurfaceBuffers buffers =
-        renderer.render_buffers(test::front_camera(150.0, 0.6), style, buffer_page);
+    const Camera camera = test::front_camera(150.0, 0.6);
+    RenderSettings settings = buffer_page;
+    settings.motion_since = Moment{.camera = with_shift(camera, {0.1, 0.0}), .time_s = 0.0};
+    const SurfaceBuffers buffers = renderer.render_buffers(camera, style, settings);
+    EXPECT_EQ(buffers.motion.pixels[0], glm::vec4(0.0F));
+    EXPECT_NE(buffers.motion.pixels[size_t{60} * 200 + 100], glm::vec4(0.0F));
     EXPECT_EQ(buffers.objects[0], no_index);
     EXPECT_EQ(buffers.objects[size_t{60} * 200 + 5], no_index);
     EXPECT_EQ(buffers.objects[size_t{60} * 200 + 100], 0U);

@@ -298,6 +298,11 @@ std::string format_value(const Value& value)
     }
     std::string escaped;
     for (const char character : std::get<std::string>(value)) {
+        const auto byte = static_cast<unsigned char>(character);
+        if (byte < 0x20 || byte == 0x7F) {
+            escaped += fmt::format("\\u{:04x}", byte);
+            continue;
+        }
         escaped += character == '"' || character == '\\' ? "\\" : "";
         escaped += character;
     }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 #include <estampe/error.hpp>
@@ -12,7 +13,11 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     try {
-        (void)estampe::load_gltf_bytes({reinterpret_cast<const std::byte*>(data), size}, "fuzz.glb");
+        const estampe::Scene scene =
+            estampe::load_gltf_bytes({reinterpret_cast<const std::byte*>(data), size}, "fuzz.glb");
+        if (!estampe::faults(scene).empty()) {
+            std::abort();
+        }
     } catch (const estampe::Error&) {
         return 0;
     }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 #include <estampe/error.hpp>
@@ -18,6 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
         estampe::Input library(bytes, "fuzz.mtl");
         (void)estampe::obj::parse_mtl(library);
         const estampe::Scene scene = estampe::load_obj_bytes(bytes, "fuzz.obj");
+        if (!estampe::faults(scene).empty()) {
+            std::abort();
+        }
         (void)estampe::scene_bounds(scene, estampe::pose_scene(scene, 0.0));
     } catch (const estampe::Error&) {
         return 0;

@@ -136,12 +136,12 @@ float pixels_per_mm(uint32_t height_px, double page_height_mm)
     return static_cast<float>(height_px / page_height_mm);
 }
 
-Camera seen_within(const Camera& camera, double share)
+Camera seen_within(const Camera& camera, const glm::dvec2& share)
 {
     Camera whole = camera;
-    whole.vertical_fov_rad = 2.0 * std::atan(std::tan(0.5 * camera.vertical_fov_rad) / share);
+    whole.vertical_fov_rad = 2.0 * std::atan(std::tan(0.5 * camera.vertical_fov_rad) / share.y);
     if (whole.orthographic_half_height_m) {
-        *whole.orthographic_half_height_m /= share;
+        *whole.orthographic_half_height_m /= share.y;
     }
     whole.shift *= share;
     return whole;

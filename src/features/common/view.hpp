@@ -84,9 +84,9 @@ struct PixelSize {
     }
 };
 
-/// Returns a camera with a wider view. A centred window with `share` of the page's height then shows the view
-/// of `camera` on the whole page.
-[[nodiscard]] Camera seen_within(const Camera& camera, double share);
+/// Returns a camera with a wider view. A centred window with these shares of the page's width and height then
+/// shows the view of `camera`, which has the aspect of the window.
+[[nodiscard]] Camera seen_within(const Camera& camera, const glm::dvec2& share);
 
 [[nodiscard]] PixelSize pixel_size(const Camera& camera, uint32_t height_px);
 

@@ -52,7 +52,7 @@ TEST(SeenWithin, ShowsTheSameInASmallerWindow)
         };
         for (const glm::vec3& place : {glm::vec3(0.3F, 1.4F, 0.2F), glm::vec3(-1.0F, -0.5F, 2.0F)}) {
             const glm::vec2 whole = on_page(camera, place);
-            const glm::vec2 within = on_page(seen_within(camera, share), place);
+            const glm::vec2 within = on_page(seen_within(camera, glm::dvec2(share)), place);
             EXPECT_NEAR(within.x, share * whole.x, 1e-5);
             EXPECT_NEAR(within.y, share * whole.y, 1e-5);
         }
@@ -86,9 +86,10 @@ TEST(LensShift, MovesThePictureByAShareOfThePage)
                 EXPECT_FLOAT_EQ(after.z, before.z) << "depths stay";
             }
             const glm::vec3 place(0.3F, 1.4F, 0.2F);
-            const glm::vec3 within = on_page(seen_within(shifted, 0.8), place);
-            EXPECT_NEAR(within.x, 0.8F * on_page(shifted, place).x, 1e-5);
-            EXPECT_NEAR(within.y, 0.8F * on_page(shifted, place).y, 1e-5);
+            const glm::vec3 within = on_page(seen_within(shifted, {0.9, 0.8}), place);
+            EXPECT_NEAR(within.x, 0.8F * on_page(camera, place).x - 0.9F * 0.5F, 1e-5)
+                << "a quarter of the window's width";
+            EXPECT_NEAR(within.y, 0.8F * on_page(camera, place).y - 0.8F * 0.25F, 1e-5);
         }
     }
 }

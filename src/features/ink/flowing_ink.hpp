@@ -122,7 +122,7 @@ public:
     /// Forgets the ink when the scene is replaced, or when positions get another origin.
     void invalidate(Event event) override;
 
-    [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"ink", 2}; }
+    [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"ink", 3}; }
 
     void save(FilmWriter& writer) override;
     void load(FilmReader& reader) override;

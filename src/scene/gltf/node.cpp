@@ -268,7 +268,8 @@ void import_cameras(Data& data, Scene& scene)
                 data.fail(pointer + "/orthographic/ymag", "should not be zero");
             }
         } else {
-            camera.vertical_fov_rad = source.perspective.yfov;
+            constexpr double widest_rad = 3.14;
+            camera.vertical_fov_rad = std::min(source.perspective.yfov, widest_rad);
             camera.near_m = source.perspective.znear;
             if (!(camera.vertical_fov_rad > 0.0)) {
                 data.fail(pointer, "lacks \"perspective\"");

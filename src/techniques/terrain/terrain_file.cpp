@@ -13,6 +13,7 @@
 #include "style/names.hpp"
 #include "style/parameter.hpp"
 #include "style/toml.hpp"
+#include "techniques/terrain/graph/language.hpp"
 
 namespace estampe::terrain {
 
@@ -180,16 +181,18 @@ std::string toml_of(const style::Table<Struct>& table, const Struct& values)
     return text;
 }
 
+/// Writes an assignment of TOML, with the key in quotes if it needs them.
+std::string assignment(const std::string& key, const std::string& text)
+{
+    return fmt::format("{} = {}\n", terrain::is_name(key) ? key : style::format_value(key),
+                       style::format_value(text));
+}
+
 std::string node_line(const HeightNode& node)
 {
-    std::string escaped;
-    for (const char c : node.expression) {
-        if (c == '"' || c == '\\') {
-            escaped += '\\';
-        }
-        escaped += c == '\n' ? ' ' : c;
-    }
-    return fmt::format("{} = \"{}\"\n", node.name, escaped);
+    std::string in_one_line = node.expression;
+    std::ranges::replace(in_one_line, '\n', ' ');
+    return assignment(node.name, in_one_line);
 }
 
 } // namespace
@@ -249,7 +252,7 @@ std::string terrain_toml(const TerrainDescription& terrain)
     text += look.substr(look.find("]\n") + 2);
     std::string tracks = "\n[tracks]\n";
     for (const TerrainTrack& track : terrain.tracks) {
-        tracks += fmt::format("{} = \"{}\"\n", track.name, track_text(track));
+        tracks += assignment(track.name, track_text(track));
     }
     return text + nodes + toml_of(terrain::wind_table(), terrain.wind) +
            toml_of(terrain::mesh_table(), terrain.meshing) +

@@ -202,6 +202,10 @@ TEST(HeightGraph, IsSavedAsItWas)
     const std::string zero = "[terrain]\nheight = \"4\"\n[ripples]\nheight_m = -0.0\n";
     const std::string written = terrain_toml(parse_terrain(zero, "zero.toml"));
     EXPECT_EQ(terrain_toml(parse_terrain(written, "zero.toml")), written) << "a negative zero has no sign";
+    const std::string odd = "[terrain]\nheight = \"4\"\n[nodes]\n' #\\' = \"5\"\n\"a\\u0007\" = \"6\"\n";
+    const TerrainDescription named = parse_terrain(odd, "odd.toml");
+    EXPECT_EQ(parse_terrain(terrain_toml(named), "odd.toml").nodes.at(1).name, " #\\");
+    EXPECT_EQ(parse_terrain(terrain_toml(named), "odd.toml").nodes.at(2).name, "a\a");
 }
 
 TEST(HeightGraph, APictureOfSixteenBitsHasNoTerraces)
