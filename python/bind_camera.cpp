@@ -235,8 +235,14 @@ std::string text_of(const CameraChoice& choice)
         return fmt::format("azimuth={:g} elevation={:g}", choice.direction.azimuth_deg,
                            choice.direction.elevation_deg);
     case CameraKind::placed:
-        return fmt::format("eye={:g},{:g},{:g} target={:g},{:g},{:g}", camera.eye.x, camera.eye.y,
-                           camera.eye.z, camera.target.x, camera.target.y, camera.target.z);
+        return fmt::format("eye={:g},{:g},{:g} target={:g},{:g},{:g}{}{}", camera.eye.x, camera.eye.y,
+                           camera.eye.z, camera.target.x, camera.target.y, camera.target.z,
+                           camera.orthographic_half_height_m
+                               ? fmt::format(" ortho={:g}", *camera.orthographic_half_height_m)
+                               : fmt::format(" fov={:g}", glm::degrees(camera.vertical_fov_rad)),
+                           camera.shift == decltype(camera.shift)(0.0)
+                               ? std::string()
+                               : fmt::format(" shift={:g},{:g}", camera.shift.x, camera.shift.y));
     default:
         return "the first camera of the scene, or auto";
     }

@@ -42,6 +42,9 @@ class Orientation(unittest.TestCase):
         shifted = estampe.Camera(eye=(0, 0, 5), target=(0, 0, 0), half_height_m=2, shift=(0.25, -0.125))
         text = "eye=0,0,5 target=0,0,0 ortho=2 shift=0.25,-0.125"
         self.assertEqual(shifted.shift, (0.25, -0.125))
+        self.assertEqual(repr(shifted), f"<estampe.Camera {text}>")
+        self.assertEqual(repr(estampe.Camera(text)), repr(shifted))
+        self.assertRegex(repr(renderer()), "^<estampe.Renderer on .*>$")
         before = renderer().buffers(straight, plain_style(), **SIZE).objects
         after = renderer().buffers(shifted, plain_style(), **SIZE).objects
         self.assertEqual((before == 0).sum(), 32 * 32)
