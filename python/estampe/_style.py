@@ -29,7 +29,8 @@ class Style(_estampe.Style):
 
     Values are bool, int, float or str; colours are texts such as "#1b1a22". Setting a value also takes a colour as
     three sRGB numbers from 0 to 1. The type of a value depends on its key alone, as schema() says: a colour is always a
-    text, rounded to 8 bits per component, and a number of type "number" always a float. Keys can be limited to materials or objects: 'material."brick*".hatch.width_mm'.
+    text, rounded to 8 bits per component, and a number of type "number" always a float.
+    Keys can be limited to materials or objects: 'material."brick*".hatch.width_mm'.
     """
 
     def __init__(self, name="default", confine=False):
