@@ -18,7 +18,6 @@
 #include "gpu/pipelines.hpp"
 #include "options.hpp"
 #include "piped_scene.hpp"
-#include "style/schema.hpp"
 
 namespace estampe::app {
 namespace {
@@ -172,16 +171,8 @@ void check_range(const char* option, uint32_t typed, uint32_t least, uint32_t mo
 
 ReadScope style_scope(const std::string& name, const Confinement& confine)
 {
-    ReadScope scope = confine.jobs;
-    if (confine.is_on && !scope.is_limited() && !name.empty()) {
-        for (const std::string& part : style::parts_of(name)) {
-            if (style::preset_text(part)) {
-                continue;
-            }
-            scope.folders.push_back(ReadScope::beside(part).folders.front());
-        }
-    }
-    return scope;
+    const bool is_beside = confine.is_on && !confine.jobs.is_limited() && !name.empty();
+    return is_beside ? Style::scope_of(name) : confine.jobs;
 }
 
 Style read_style(const std::string& name, const std::vector<std::string>& assignments,

@@ -191,6 +191,23 @@ double number_within(double number, const char* argument, double least, double m
     return number;
 }
 
+py::ssize_t integer_of(const py::handle& value, const char* argument)
+{
+    if (!PyIndex_Check(value.ptr()) || PyBool_Check(value.ptr())) {
+        throw py::type_error(fmt::format("{}: is not an integer", argument));
+    }
+    const py::ssize_t number = PyNumber_AsSsize_t(value.ptr(), nullptr);
+    if (number == -1 && PyErr_Occurred() != nullptr) {
+        throw py::error_already_set();
+    }
+    return number;
+}
+
+Index index_of(const py::handle& value, const char* argument, size_t count)
+{
+    return value.is_none() ? no_index : optional_index(integer_of(value, argument), argument, count);
+}
+
 Index optional_index(const std::optional<py::ssize_t>& index, const char* argument, size_t count)
 {
     if (!index) {

@@ -76,6 +76,13 @@ std::vector<Vector> rows_of(const py::handle& value, const char* argument, py::s
 /// Checks a single number, and returns it. Throws ValueError unless `least` <= number <= `most`.
 double number_within(double number, const char* argument, double least, double most);
 
+/// Converts an argument to an integer; a number beyond the range of ssize_t becomes the end of this range.
+/// Throws TypeError for a bool and anything else that is no integer; passes on exceptions of __index__().
+py::ssize_t integer_of(const py::handle& value, const char* argument);
+
+/// Converts an argument to an index as optional_index() does; None is no_index.
+Index index_of(const py::handle& value, const char* argument, size_t count);
+
 /// Checks an index that may be left out. Returns no_index for an empty one. Throws IndexError if the index is
 /// not below `count`.
 Index optional_index(const std::optional<py::ssize_t>& index, const char* argument, size_t count);

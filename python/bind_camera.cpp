@@ -2,6 +2,7 @@
 // estampe.Camera: cameras as the command line has them, and cameras of numbers.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -160,13 +161,13 @@ CameraChoice make_camera(const std::optional<std::string>& text, const py::objec
                          const std::optional<double>& near_m, bool ortho, const py::object& shift)
 {
     const bool has_numbers = !eye.is_none() || !target.is_none() || !up.is_none() || !matrix.is_none() ||
-                             fov_deg || half_height_m || near_m;
+                             fov_deg || half_height_m || near_m || !shift.is_none();
     CameraChoice choice;
     if (text) {
         if (has_numbers) {
             throw py::value_error(
-                "text: is not valid together with eye, target, up, matrix, fov_deg, half_height_m "
-                "or near_m");
+                "text: is not valid together with eye, target, up, matrix, fov_deg, half_height_m, near_m "
+                "or shift");
         }
         choice = parse_camera_choice(*text);
     } else if (has_numbers) {
@@ -192,15 +193,16 @@ CameraChoice make_camera(const std::optional<std::string>& text, const py::objec
             choice.placed.orthographic_half_height_m =
                 number_within(*half_height_m, "half_height_m", 1e-9, largest_view_m);
         }
+        if (matrix.is_none()) { // as parse_camera() places the near plane
+            choice.placed.near_m =
+                std::max(1e-6, 1e-3 * glm::length(choice.placed.target - choice.placed.eye));
+        }
         if (near_m) {
             choice.placed.near_m = number_within(*near_m, "near_m", 1e-9, largest_view_m);
         }
     }
     choice.parallel = ortho;
     if (!shift.is_none()) {
-        if (choice.kind != CameraKind::placed) {
-            throw py::value_error("shift: needs eye and target, or a matrix");
-        }
         const Dense<double> numbers = finite_doubles(shift, "shift", {2});
         constexpr double most_shift = 100.0;
         choice.placed.shift = {number_within(numbers.at(0), "shift", -most_shift, most_shift),
@@ -233,26 +235,42 @@ std::string text_of(const CameraChoice& choice)
         return fmt::format("azimuth={:g} elevation={:g}", choice.direction.azimuth_deg,
                            choice.direction.elevation_deg);
     case CameraKind::placed:
-        return fmt::format("eye={:g},{:g},{:g} target={:g},{:g},{:g}", camera.eye.x, camera.eye.y,
-                           camera.eye.z, camera.target.x, camera.target.y, camera.target.z);
+        return fmt::format("eye={:g},{:g},{:g} target={:g},{:g},{:g}{}{}", camera.eye.x, camera.eye.y,
+                           camera.eye.z, camera.target.x, camera.target.y, camera.target.z,
+                           camera.orthographic_half_height_m
+                               ? fmt::format(" ortho={:g}", *camera.orthographic_half_height_m)
+                               : fmt::format(" fov={:g}", glm::degrees(camera.vertical_fov_rad)),
+                           camera.shift == decltype(camera.shift)(0.0)
+                               ? std::string()
+                               : fmt::format(" shift={:g},{:g}", camera.shift.x, camera.shift.y));
     default:
         return "the first camera of the scene, or auto";
     }
 }
 
-CameraChoice placed_in(const CameraChoice& choice, const SharedScene& scene, const Style& style,
-                       uint32_t width, uint32_t height, double time_s, const py::object& animation)
+/// Places a camera without the GIL. All arguments are copies, so other threads may change theirs meanwhile.
+CameraChoice placed_on(CameraChoice choice, std::shared_ptr<const LitScene> lit, Style style, CameraPage page,
+                       AnimationChoice animation)
 {
-    const std::shared_ptr<const LitScene> lit = scene.snapshot();
-    if (width == 0 || height == 0) {
-        throw py::value_error("width, height: are not positive");
-    }
-    const CameraPage page{.width = width,
-                          .height = height,
-                          .time_s = number_within(time_s, "time_s", -1e9, 1e9),
-                          .animation = animation_of(animation, lit->scene)};
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
+    page.animation = find_animation(animation, lit->scene);
     return {.kind = CameraKind::placed, .placed = resolve_camera(choice, lit->scene, style, page)};
+}
+
+CameraChoice placed_in(const CameraChoice& choice_now, const py::object& scene, const py::object& style_now,
+                       const py::object& width, const py::object& height, double time_s,
+                       const py::object& animation)
+{
+    constexpr double most_px = 65535.0;
+    const auto side_of = [](const py::object& length_px, const char* argument) {
+        const auto number = static_cast<double>(integer_of(length_px, argument));
+        return static_cast<uint32_t>(number_within(number, argument, 1.0, most_px));
+    };
+    const CameraPage page{.width = side_of(width, "width"),
+                          .height = side_of(height, "height"),
+                          .time_s = number_within(time_s, "time_s", -1e9, 1e9)};
+    return placed_on(choice_now, scene_argument(scene).snapshot(), style_of(style_now), page,
+                     animation_choice_of(animation));
 }
 
 constexpr const char* camera_doc = R"(Viewpoint and projection of a picture.
@@ -289,7 +307,8 @@ void bind_camera(py::module_& module)
         .def_property_readonly(
             "target",
             [](const CameraChoice& choice) { return numbers_or_none(choice, choice.placed.target); },
-            "Point in the middle of the picture in metres, (3,) float64; None if it depends on the scene.")
+            "Point that the camera looks at in metres, (3,) float64; None if it depends on the scene.\n\n"
+            "The point is in the middle of the picture if the camera has no lens shift.")
         .def_property_readonly(
             "up", [](const CameraChoice& choice) { return numbers_or_none(choice, choice.placed.up); },
             "Direction that points up in the picture, (3,) float64; None if it depends on the scene.")
@@ -309,6 +328,12 @@ void bind_camera(py::module_& module)
             },
             "Half the height of a parallel projection in metres; None for perspective projection.")
         .def_property_readonly(
+            "near_m",
+            [](const CameraChoice& choice) -> std::optional<double> {
+                return choice.kind == CameraKind::placed ? std::optional(choice.placed.near_m) : std::nullopt;
+            },
+            "Distance of the near plane in metres; None if it depends on the scene.")
+        .def_property_readonly(
             "shift",
             [](const CameraChoice& choice) -> std::optional<std::pair<double, double>> {
                 return choice.kind == CameraKind::placed
@@ -316,9 +341,11 @@ void bind_camera(py::module_& module)
                            : std::nullopt;
             },
             "Lens shift, to the right and up, in shares of the picture; None if it depends on the scene.")
-        .def("placed", &placed_in, py::arg("scene"), py::arg("style"), py::kw_only(), py::arg("width") = 1280,
-             py::arg("height") = 720, py::arg("time_s") = 0.0, py::arg("animation") = 0,
+        .def("placed", &placed_in, py::arg("scene"), py::arg("style") = py::none(), py::kw_only(),
+             py::arg("width") = 1280, py::arg("height") = 720, py::arg("time_s") = 0.0,
+             py::arg("animation") = 0,
              "Return the camera as numbers, as it sees a scene on a page of this size at this time.\n\n"
+             "`style` is a Style, the name of a style, or None for the default style; its margin matters.\n"
              "Raises Error if the scene has no such camera. Cost: linear in vertices and triangles.")
         .def("__repr__",
              [](const CameraChoice& choice) { return fmt::format("<estampe.Camera {}>", text_of(choice)); });

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -73,7 +75,7 @@ py::object flatten(const LayeredImage& layers)
 {
     LinearImage flat;
     {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         flat = flattened(layers);
     }
     const py::object paper = flat.paper
@@ -85,14 +87,20 @@ py::object flatten(const LayeredImage& layers)
 void save(const LayeredImage& layers, const py::object& path)
 {
     const std::filesystem::path file = path_of(path, "path");
-    const std::string extension = file.extension().string();
-    const py::gil_scoped_release unlocked;
-    if (extension == ".ora") {
+    const std::string ending = lower_ending_of(file);
+    if (!ending.empty() && ending != ".ora" && ending != ".exr") {
+        throw py::value_error(
+            fmt::format("path: layers are not written as \"{}\", but as .ora, .exr or a folder, "
+                        "whose name has no ending, or a / after it",
+                        ending));
+    }
+    const Unlocked unlocked;
+    if (ending == ".ora") {
         save_openraster(layers, file);
-    } else if (extension == ".exr") {
+    } else if (ending == ".exr") {
         save_layers_exr(layers, file);
     } else {
-        save_layers(layers, file);
+        save_layers(layers, file.has_filename() ? file : file.parent_path());
     }
 }
 
@@ -139,6 +147,16 @@ void bind_layers(py::module_& module)
                 return pixels_of(layer_named(image_in(self), name), self);
             },
             py::arg("name"), "Return the (h, w, 4) float32 array of a layer. Raises KeyError.")
+        .def(
+            "get",
+            [](const py::object& self, const py::object& name, const py::object& missing) {
+                const PictureLayer* const layer = py::isinstance<py::str>(name)
+                                                      ? find_layer(image_in(self), name.cast<std::string>())
+                                                      : nullptr;
+                return layer == nullptr ? missing : py::object(pixels_of(*layer, self));
+            },
+            py::arg("name"), py::arg("default") = py::none(),
+            "Return the array of a layer, or `default` if there is none of this name.")
         .def("keys", &layer_names, "Return the names of the layers, from bottom to top, as a list.")
         .def("values", &values_of, "Return the arrays of the layers, from bottom to top, as a list.")
         .def("items", &items_of, "Return (name, array) of each layer, from bottom to top, as a list.")
@@ -171,9 +189,19 @@ void bind_layers(py::module_& module)
         .def("save", &save, py::arg("path"),
              "Write layers and masks as .ora (OpenRaster), .exr (OpenEXR), or as PNG files into a new "
              "folder.\n\n"
-             "Raises Error if the file cannot be written, or the folder exists and is not empty. Cost: about "
+             "The ending of `path` decides; a name without an ending, or with a / after it, is a folder. "
+             "Another\n"
+             "ending raises ValueError. Raises Error if the file cannot be written, or the folder exists and "
+             "is not empty. Cost: about "
              "2 s\n"
-             "per megapixel as OpenRaster.");
+             "per megapixel as OpenRaster.")
+        .def(
+            "_repr_png_", [](const py::object& self) { return self.attr("picture").attr("_repr_png_")(); },
+            "Return the whole picture as the bytes of a PNG file, for notebooks.")
+        .def("__repr__", [](const LayeredImage& self) {
+            return fmt::format("<estampe.Layers {}, {} x {} pixels>", fmt::join(layer_names(self), ", "),
+                               self.picture.width, self.picture.height);
+        });
 }
 
 } // namespace estampe::python

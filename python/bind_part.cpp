@@ -102,14 +102,14 @@ void normalise_normals(std::vector<glm::vec3>& normals)
     }
 }
 
-Part make_part(const py::object& positions, const py::object& indices, py::ssize_t material,
+Part make_part(const py::object& positions, const py::object& indices, const py::object& material,
                const py::object& normals, const py::object& uvs, const py::object& uvs1,
                const py::object& colors, const py::object& tangents, const py::object& edge_marks,
                double crease_deg, const std::string& topology)
 {
     Primitive primitive;
     primitive.topology = topology_of(topology);
-    primitive.material = optional_index(material, "material", no_index);
+    primitive.material = optional_index(integer_of(material, "material"), "material", no_index);
     primitive.positions = rows_of<glm::vec3>(positions, "positions");
     const size_t vertex_count = primitive.positions.size();
     if (vertex_count == 0 || vertex_count >= std::numeric_limits<uint32_t>::max()) {
@@ -158,7 +158,7 @@ Part make_part(const py::object& positions, const py::object& indices, py::ssize
         primitive.normals = rows_of<glm::vec3>(normals, "normals", rows);
         normalise_normals(primitive.normals);
     } else if (has_triangles) {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         compute_normals(primitive, crease_deg);
     }
     return {std::move(primitive)};

@@ -73,7 +73,7 @@ void write_png(const py::object& pixels, const py::object& path)
 {
     const Image image = image_of(pixels, "pixels");
     const std::filesystem::path file = path_of(path, "path");
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     save_png(image, file);
 }
 
@@ -82,7 +82,7 @@ void write_jpeg(const py::object& pixels, const py::object& path, int quality)
     number_within(quality, "quality", 1.0, 100.0);
     const Image image = image_of(pixels, "pixels");
     const std::filesystem::path file = path_of(path, "path");
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     save_jpeg(image, file, quality);
 }
 
@@ -93,7 +93,7 @@ void write_webp(const py::object& pixels, const py::object& path, std::optional<
     }
     const Image image = image_of(pixels, "pixels");
     const std::filesystem::path file = path_of(path, "path");
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     save_webp(image, file, quality);
 }
 
@@ -101,7 +101,7 @@ void write_linear(const py::object& pixels, const py::object& path, const py::ob
 {
     const LinearImage image = linear_image_of(pixels, paper);
     const std::filesystem::path file = path_of(path, "path");
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     if (is_exr) {
         save_exr(image, file);
     } else {
@@ -114,7 +114,7 @@ py::object read_picture(const py::object& path)
     const std::filesystem::path file = path_of(path, "path");
     Image image;
     {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         image = load_image(file);
     }
     return as_picture(array_owning<uint8_t>(std::move(image.rgba), {image.height, image.width, 4}));

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
 #include <pybind11/pybind11.h>
@@ -26,28 +28,56 @@ namespace {
 /// A renderer of the library with the scene that it draws. Calls from several threads wait for each other.
 class SharedRenderer {
 public:
-    explicit SharedRenderer(const RendererOptions& options) : renderer_(options) {}
+    explicit SharedRenderer(const RendererOptions& options)
+        : renderer_(std::make_unique<Renderer>(options)), process_(getpid())
+    {
+    }
+
+    ~SharedRenderer()
+    {
+        if (getpid() != process_) {
+            // The threads and the device stay with the parent process, so a forked one cannot close them.
+            static_cast<void>(renderer_.release());
+        }
+    }
+
+    SharedRenderer(const SharedRenderer&) = delete;
+    SharedRenderer& operator=(const SharedRenderer&) = delete;
 
     /// Calls `use` with the renderer, its scene and its lock held, without the GIL. The scene may be null.
     template <typename Use>
     auto with_renderer(Use use)
     {
-        const py::gil_scoped_release unlocked; // before the lock, so that no thread holds the GIL and waits
+        check_process();
+        const Unlocked unlocked; // before the lock, so that no thread holds the GIL and waits
         const std::scoped_lock lock(mutex_);
-        return use(renderer_, scene_);
+        return use(*renderer_, scene_);
     }
 
     void set_scene(std::shared_ptr<const LitScene> scene)
     {
-        const py::gil_scoped_release unlocked;
+        check_process();
+        const Unlocked unlocked;
         const std::scoped_lock lock(mutex_);
-        renderer_.set_scene(scene->scene, scene->lightmap ? &*scene->lightmap : nullptr);
+        renderer_->set_scene(scene->scene, scene->lightmap ? &*scene->lightmap : nullptr);
         scene_ = std::move(scene);
     }
 
 private:
+    /// Throws Error in a forked process, where another thread may hold the lock for ever, and where the
+    /// driver's threads are missing.
+    void check_process() const
+    {
+        if (getpid() != process_) {
+            throw Error(
+                "the renderer belongs to another process", {},
+                "use the start method \"spawn\" of multiprocessing, and make a Renderer in each process");
+        }
+    }
+
     std::mutex mutex_;
-    Renderer renderer_;
+    std::unique_ptr<Renderer> renderer_;
+    pid_t process_;
     std::shared_ptr<const LitScene> scene_;
 };
 
@@ -56,7 +86,7 @@ struct DrawRequest {
     CameraChoice camera;
     Style style;
     RenderSettings settings;
-    py::object animation; ///< Number or name; found in the scene that the renderer draws
+    AnimationChoice animation = py::ssize_t{0}; ///< Found in the scene that the renderer draws
     /// Camera and time that motion is measured from; the time alone means the picture's own camera choice.
     std::optional<std::pair<CameraChoice, double>> motion_since;
 };
@@ -76,6 +106,12 @@ void assign_transparency(Style& style, const py::object& transparent)
     style.set("paper.transparent=" + transparent.cast<std::string>());
 }
 
+uint32_t side_of(py::ssize_t length_px, const char* argument)
+{
+    constexpr double most_px = 65535.0;
+    return static_cast<uint32_t>(number_within(static_cast<double>(length_px), argument, 1.0, most_px));
+}
+
 /// Applies a Page: its size in pixels, and the height in millimetres to which the style's lengths refer.
 void apply_page(const py::object& page, DrawRequest& request)
 {
@@ -83,35 +119,30 @@ void apply_page(const py::object& page, DrawRequest& request)
     if (!py::isinstance(page, type)) {
         throw py::type_error("page: is not a Page");
     }
-    request.settings.width = page.attr("width").cast<uint32_t>();
-    request.settings.height = page.attr("height").cast<uint32_t>();
-    request.style.set(fmt::format("paper.height_mm={}", page.attr("height_mm").cast<double>()));
-}
-
-uint32_t side_of(py::ssize_t length_px, const char* argument)
-{
-    constexpr double most_px = 65535.0;
-    return static_cast<uint32_t>(number_within(static_cast<double>(length_px), argument, 1.0, most_px));
+    // Page._replace() sets fields without a check.
+    constexpr double least_mm = 10.0;
+    constexpr double most_mm = 5000.0;
+    double height_mm = 0.0;
+    try {
+        request.settings.width = side_of(page.attr("width").cast<py::ssize_t>(), "page.width");
+        request.settings.height = side_of(page.attr("height").cast<py::ssize_t>(), "page.height");
+        height_mm = page.attr("height_mm").cast<double>();
+    } catch (const py::cast_error&) {
+        throw py::value_error("page: a side is not a number");
+    }
+    number_within(height_mm, "page.height_mm", least_mm, most_mm);
+    request.style.set(fmt::format("paper.height_mm={}", height_mm));
 }
 
 /// Reads the keywords that all drawing methods share. Throws TypeError for a keyword that is unknown.
 DrawRequest request_of(const py::object& camera, const py::object& style, const py::kwargs& keywords)
 {
-    DrawRequest request{.camera = camera_of(camera, "camera")};
-    if (py::isinstance<py::str>(style)) {
-        request.style = py::module_::import("estampe").attr("Style")(style).cast<const Style&>();
-    } else if (!style.is_none()) {
-        if (!py::isinstance<Style>(style)) {
-            throw py::type_error("style: is not None, the name of a style or a Style");
-        }
-        request.style = style.cast<const Style&>();
-    }
+    DrawRequest request{.camera = camera_of(camera, "camera"), .style = style_of(style)};
     RenderSettings& settings = request.settings;
     py::object page = py::none();
     py::object transparent = py::none();
     std::optional<double> max_memory;
     std::optional<double> max_seconds;
-    request.animation = py::int_(0);
     bool has_size = false;
     for (const auto& keyword : keywords) {
         const auto name = keyword.first.cast<std::string>();
@@ -138,7 +169,7 @@ DrawRequest request_of(const py::object& camera, const py::object& style, const 
             settings.samples =
                 static_cast<uint32_t>(number_within(static_cast<double>(samples), "samples", 1.0, 4096.0));
         } else if (name == "animation") {
-            request.animation = py::reinterpret_borrow<py::object>(value);
+            request.animation = animation_choice_of(py::reinterpret_borrow<py::object>(value));
         } else if (name == "transparent") {
             transparent = py::reinterpret_borrow<py::object>(value);
         } else if (name == "page") {
@@ -172,16 +203,12 @@ DrawRequest request_of(const py::object& camera, const py::object& style, const 
 template <typename Draw>
 auto draw_request(SharedRenderer& self, DrawRequest& request, Draw draw)
 {
-    const py::object animation = request.animation;
     return self.with_renderer([&](Renderer& renderer, const std::shared_ptr<const LitScene>& lit) {
         if (!lit) {
             throw Error("there is no scene to draw", {}, "call set_scene first");
         }
         RenderSettings& settings = request.settings;
-        {
-            const py::gil_scoped_acquire locked;
-            settings.animation = animation_of(animation, lit->scene);
-        }
+        settings.animation = find_animation(request.animation, lit->scene);
         CameraPage page{settings.width, settings.height, settings.time_s, settings.animation};
         const Camera camera = resolve_camera(request.camera, lit->scene, request.style, page);
         if (request.motion_since) {
@@ -243,8 +270,7 @@ py::object motion(SharedRenderer& self, const py::object& camera, const py::obje
                                                         : camera_of(since_camera, "since_camera"),
                                  number_within(since_time_s, "since_time_s", -1e9, 1e9));
     Motion motion = draw_request(self, request, [](Renderer& renderer, const auto&... how) {
-        static_cast<void>(renderer.render(how...));
-        return renderer.motion();
+        return renderer.render_buffers(how...).motion;
     });
     return array_owning<float>(std::move(motion.pixels), {motion.height, motion.width, 4});
 }
@@ -297,10 +323,7 @@ std::vector<std::pair<Index, py::object>> indexed_values(const py::dict& values,
 {
     std::vector<std::pair<Index, py::object>> indexed;
     for (const auto& [key, value] : values) {
-        if (!PyIndex_Check(key.ptr()) || PyBool_Check(key.ptr())) {
-            throw py::type_error(fmt::format("{}: a key is not a number", argument));
-        }
-        indexed.emplace_back(optional_index(PyNumber_AsSsize_t(key.ptr(), nullptr), argument, count),
+        indexed.emplace_back(optional_index(integer_of(key, argument), argument, count),
                              py::reinterpret_borrow<py::object>(value));
     }
     return indexed;
@@ -349,7 +372,7 @@ std::unique_ptr<SharedRenderer> make_renderer(const py::object& device)
         throw py::type_error("device: is not \"auto\", \"cpu\" or a number of devices()");
     }
     const RendererOptions options{.device = std::string(py::str(device))};
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return std::make_unique<SharedRenderer>(options);
 }
 
@@ -376,6 +399,9 @@ follows      None: a single picture; False: the first frame of a film; True: the
 max_memory   limit of the memory in bytes [what is free]
 max_seconds  limit of the time in seconds [none]
 
+A drawing that has begun cannot be interrupted: Ctrl-C takes effect when it is complete, or when max_seconds are over.
+A program that ends waits for the pictures that daemon threads draw. A Renderer cannot be used in a forked process.
+
 They raise Error if there is no scene, memory runs out or the device is lost, and TypeError, ValueError or IndexError,
 which name the argument, for wrong arguments.)";
 
@@ -399,7 +425,9 @@ void bind_renderer(py::module_& module)
             "Automatic decisions for the last picture, a list of one line of text each.")
         .def(
             "set_scene",
-            [](SharedRenderer& self, const SharedScene& scene) { self.set_scene(scene.snapshot()); },
+            [](SharedRenderer& self, const py::object& scene) {
+                self.set_scene(scene_argument(scene).snapshot());
+            },
             py::arg("scene"),
             "Upload a scene, which replaces the previous one.\n\n"
             "Later changes of the Scene are drawn after another call. Raises Error if the scene exceeds the\n"
@@ -443,12 +471,19 @@ void bind_renderer(py::module_& module)
             "render().")
         .def("motion", &motion, py::arg("camera") = py::none(), py::arg("style") = py::none(), py::kw_only(),
              py::arg("since_time_s"), py::arg("since_camera") = py::none(),
-             "Draw the scene, and return how far each point has moved on the page: (h, w, 4) float32.\n\n"
+             "Return how far each point has moved on the page: (h, w, 4) float32. No picture is drawn.\n\n"
              "The columns are pixels to the right, pixels down, reversed depth at the other moment, and 1 (0 "
              "if the\n"
              "point was behind the camera). The other moment is `since_time_s`, seen from `since_camera` "
              "(None: the\n"
-             "same camera). Keywords are those of the class.");
+             "same camera). Keywords are those of the class; samples is ignored.")
+        .def("__repr__", [](SharedRenderer& self) {
+            return self.with_renderer([](Renderer& opened, const std::shared_ptr<const LitScene>& lit) {
+                return fmt::format("<estampe.Renderer on {}, {}>", opened.device().name,
+                                   lit ? fmt::format("with a scene of {} nodes", lit->scene.nodes.size())
+                                       : "without a scene");
+            });
+        });
 }
 
 } // namespace estampe::python

@@ -18,10 +18,29 @@
 
 namespace estampe::python {
 
-Index animation_of(const py::object& value, const Scene& scene)
+SharedScene& scene_argument(const py::object& value)
+{
+    if (!py::isinstance<SharedScene>(value)) {
+        throw py::type_error("scene: is not a Scene");
+    }
+    return value.cast<SharedScene&>();
+}
+
+AnimationChoice animation_choice_of(const py::object& value)
 {
     if (py::isinstance<py::str>(value)) {
-        const auto name = value.cast<std::string>();
+        return value.cast<std::string>();
+    }
+    if (!PyIndex_Check(value.ptr()) || PyBool_Check(value.ptr())) {
+        throw py::type_error("animation: is not a name or a number");
+    }
+    return integer_of(value, "animation");
+}
+
+Index find_animation(const AnimationChoice& choice, const Scene& scene)
+{
+    if (const auto* const chosen = std::get_if<std::string>(&choice)) {
+        const std::string& name = *chosen;
         std::string known;
         for (size_t i = 0; i < scene.animations.size(); ++i) {
             if (scene.animations[i].name == name) {
@@ -32,13 +51,9 @@ Index animation_of(const py::object& value, const Scene& scene)
         throw py::value_error(fmt::format("animation: there is no \"{}\"; the scene has {}", name,
                                           known.empty() ? "no animations" : known));
     }
-    if (!PyIndex_Check(value.ptr()) || PyBool_Check(value.ptr())) {
-        throw py::type_error("animation: is not a name or a number");
-    }
     // A scene without animations shows its rest pose, whatever the number is.
     const size_t count = std::max<size_t>(scene.animations.size(), 1);
-    // A number beyond the range of ssize_t becomes the end of this range.
-    return optional_index(PyNumber_AsSsize_t(value.ptr(), nullptr), "animation", count);
+    return optional_index(std::get<py::ssize_t>(choice), "animation", count);
 }
 
 namespace {
@@ -72,7 +87,8 @@ SharedScene load(const py::object& path, const std::string& variant, const std::
     if (confine) {
         options.scope = ReadScope::beside(file);
     }
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
+    const LimitedWork limited(options.limits); // for the scene and its lightmaps together
     LitScene lit{.scene = load_scene(file, options)};
     lit.lightmap = named_lightmap(file, options.scope);
     return SharedScene(std::move(lit));
@@ -153,16 +169,16 @@ glm::vec3 light_color_of(const py::object& value, const char* argument)
 }
 
 size_t add_material(SharedScene& self, const std::string& name, const py::object& base_color,
-                    const std::optional<py::ssize_t>& base_color_image, double metallic, double roughness,
-                    const py::object& emissive, const std::optional<py::ssize_t>& emissive_image,
-                    const std::optional<py::ssize_t>& normal_image, const std::string& alpha_mode,
-                    double alpha_cutoff, bool double_sided, bool unlit)
+                    const py::object& base_color_image, double metallic, double roughness,
+                    const py::object& emissive, const py::object& emissive_image,
+                    const py::object& normal_image, const std::string& alpha_mode, double alpha_cutoff,
+                    bool double_sided, bool unlit)
 {
     const size_t image_count = self.scene().textures.size();
     Material material{.name = name, .base_color = base_color_of(base_color)};
-    material.base_color_texture.texture = optional_index(base_color_image, "base_color_image", image_count);
-    material.emissive_texture.texture = optional_index(emissive_image, "emissive_image", image_count);
-    material.normal_texture.texture = optional_index(normal_image, "normal_image", image_count);
+    material.base_color_texture.texture = index_of(base_color_image, "base_color_image", image_count);
+    material.emissive_texture.texture = index_of(emissive_image, "emissive_image", image_count);
+    material.normal_texture.texture = index_of(normal_image, "normal_image", image_count);
     material.metallic = static_cast<float>(number_within(metallic, "metallic", 0.0, 1.0));
     material.roughness = static_cast<float>(number_within(roughness, "roughness", 0.0, 1.0));
     material.emissive = light_color_of(emissive, "emissive");
@@ -187,6 +203,10 @@ size_t add_mesh(SharedScene& self, const std::string& name, const py::object& pa
         }
         const Primitive& primitive = item.cast<const Part&>().primitive;
         const Scene& scene = self.scene();
+        if (scene.materials.empty() && primitive.material == 0) {
+            mesh.primitives.push_back(primitive);
+            return;
+        }
         optional_index(primitive.material, "material", scene.materials.size());
         if (scene.materials[primitive.material].normal_texture.texture != no_index &&
             primitive.tangents.empty() && primitive.topology == Topology::triangles) {
@@ -206,6 +226,9 @@ size_t add_mesh(SharedScene& self, const std::string& name, const py::object& pa
     }
     if (mesh.primitives.empty()) {
         throw py::value_error("parts: the mesh has no part");
+    }
+    if (self.scene().materials.empty()) {
+        static_cast<void>(self.edit().scene.materials.emplace_back(Material{.name = "default"}));
     }
     Scene& scene = self.edit().scene;
     scene.meshes.push_back(std::move(mesh));
@@ -277,18 +300,17 @@ std::vector<glm::mat4> instances_of(const py::object& value)
     return placed;
 }
 
-size_t add_node(SharedScene& self, const std::string& name, const py::object& matrix,
-                const std::optional<py::ssize_t>& mesh, const std::optional<py::ssize_t>& light,
-                const std::optional<py::ssize_t>& camera, const std::optional<py::ssize_t>& parent,
-                bool visible, const py::object& instances)
+size_t add_node(SharedScene& self, const std::string& name, const py::object& matrix, const py::object& mesh,
+                const py::object& light, const py::object& camera, const py::object& parent, bool visible,
+                const py::object& instances)
 {
     const Scene& known = self.scene();
     Node node{.name = name, .visible = visible};
-    node.mesh = optional_index(mesh, "mesh", known.meshes.size());
-    node.light = optional_index(light, "light", known.lights.size());
-    node.camera = optional_index(camera, "camera", known.cameras.size());
+    node.mesh = index_of(mesh, "mesh", known.meshes.size());
+    node.light = index_of(light, "light", known.lights.size());
+    node.camera = index_of(camera, "camera", known.cameras.size());
     // A parent comes before its children, so there are no cycles.
-    node.parent = optional_index(parent, "parent", known.nodes.size());
+    node.parent = index_of(parent, "parent", known.nodes.size());
     if (!matrix.is_none()) {
         node.matrix = placement_of(matrix, "matrix");
     }
@@ -309,9 +331,9 @@ size_t add_node(SharedScene& self, const std::string& name, const py::object& ma
     return index;
 }
 
-void set_matrix(SharedScene& self, py::ssize_t node, const py::object& matrix)
+void set_matrix(SharedScene& self, const py::object& node, const py::object& matrix)
 {
-    const Index index = optional_index(node, "node", self.scene().nodes.size());
+    const Index index = optional_index(integer_of(node, "node"), "node", self.scene().nodes.size());
     const glm::dmat4 parent_from_node = placement_of(matrix, "matrix");
     self.edit().scene.nodes[index].matrix = parent_from_node;
 }
@@ -320,10 +342,10 @@ py::object bounds_of(const SharedScene& self, double time_s, const py::object& a
 {
     number_within(time_s, "time_s", -1e9, 1e9);
     const std::shared_ptr<const LitScene> lit = self.snapshot();
-    const Index index = animation_of(animation, lit->scene);
+    const Index index = find_animation(animation_choice_of(animation), lit->scene);
     Bounds bounds;
     {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         bounds = scene_bounds(lit->scene, pose_scene(lit->scene, time_s, index));
     }
     if (bounds.empty()) {
@@ -358,11 +380,15 @@ void bind_building(py::class_<SharedScene>& scene)
              "that add_image() returned. `alpha_mode` is \"opaque\", \"mask\" (parts below `alpha_cutoff` "
              "are cut\n"
              "out) or \"blend\". An unlit material shows its base colour without light and shade.")
-        .def("add_mesh", &add_mesh, py::arg("name"), py::arg("parts"),
-             "Add a mesh of one Part or of several, and return its number.\n\n"
-             "Any number of nodes may show one mesh. A material that does not exist raises IndexError. Cost: "
-             "a\n"
-             "copy of the parts.")
+        .def(
+            "add_mesh", &add_mesh, py::arg("name"), py::arg("parts"),
+            "Add a mesh of one Part or of several, and return its number.\n\n"
+            "Any number of nodes may show one mesh. Parts with the material 0 in a scene without materials "
+            "get a "
+            "white\n"
+            "one, which is named \"default\". A material that does not exist raises IndexError. Cost: a copy "
+            "of the\n"
+            "parts.")
         .def(
             "add_light", &add_light, py::arg("type"), py::kw_only(), py::arg("name") = "",
             py::arg("color") = py::make_tuple(1.0, 1.0, 1.0), py::arg("intensity") = 1.0,
@@ -452,6 +478,17 @@ void bind_scene(py::module_& module)
         .def_property_readonly(
             "variants", [](const SharedScene& self) { return self.scene().variants; },
             "Names of the material variants.")
+        .def(
+            "faults",
+            [](const SharedScene& self) {
+                const std::shared_ptr<const LitScene> lit = self.snapshot();
+                const Unlocked unlocked;
+                return faults(lit->scene);
+            },
+            "Return what is wrong with the scene, a list of one line of text each; empty if it can be "
+            "drawn.\n\n"
+            "The texts name the place, such as: meshes[2] \"wheel\", primitives[0]. Cost: linear in "
+            "vertices.")
         .def("bounds", &bounds_of, py::arg("time_s") = 0.0, py::arg("animation") = 0,
              "Return the box that holds all vertices: a (2, 3) float64 array, its least and its greatest "
              "corner.\n\n"

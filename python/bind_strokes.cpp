@@ -32,17 +32,6 @@ py::tuple tuple_of(const glm::vec3& color)
     return py::make_tuple(color.x, color.y, color.z);
 }
 
-/// Numbers that Python's indexing allows: -1 is the last stroke.
-HeldStroke stroke_at(const std::shared_ptr<VectorDrawing>& drawing, py::ssize_t number)
-{
-    const auto count = static_cast<py::ssize_t>(drawing->strokes.size());
-    const py::ssize_t positive = number < 0 ? number + count : number;
-    if (positive < 0 || positive >= count) {
-        throw py::index_error(fmt::format("stroke {} of {}", number, count));
-    }
-    return {drawing, static_cast<size_t>(positive)};
-}
-
 py::list strokes_of(const std::shared_ptr<VectorDrawing>& drawing)
 {
     py::list strokes;
@@ -52,20 +41,38 @@ py::list strokes_of(const std::shared_ptr<VectorDrawing>& drawing)
     return strokes;
 }
 
+/// Numbers that Python's indexing allows: -1 is the last stroke.
+py::object stroke_at(const std::shared_ptr<VectorDrawing>& drawing, const py::object& which)
+{
+    if (py::isinstance<py::slice>(which)) {
+        return strokes_of(drawing)[which];
+    }
+    const py::ssize_t number = integer_of(which, "number");
+    const auto count = static_cast<py::ssize_t>(drawing->strokes.size());
+    const py::ssize_t positive = number < 0 ? number + count : number;
+    if (positive < 0 || positive >= count) {
+        throw py::index_error(fmt::format("stroke {} of {}", number, count));
+    }
+    return py::cast(HeldStroke{drawing, static_cast<size_t>(positive)});
+}
+
 void save_drawing(const VectorDrawing& drawing, const py::object& path, double tolerance_mm, bool plotter)
 {
     const std::filesystem::path file = path_of(path, "path");
+    if (const std::string ending = lower_ending_of(file); ending != ".svg") {
+        throw py::value_error(fmt::format("path: strokes are not written as \"{}\", but as .svg", ending));
+    }
     const SvgSettings settings{
         .tolerance_mm = static_cast<float>(number_within(tolerance_mm, "tolerance_mm", 0.001, 10.0)),
         .is_for_plotter = plotter};
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     save_svg(drawing, file, settings);
 }
 
 std::shared_ptr<VectorDrawing> for_plotter(const VectorDrawing& drawing)
 {
     auto prepared = std::make_shared<VectorDrawing>(drawing);
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     prepare_for_plotter(*prepared);
     return prepared;
 }
@@ -122,7 +129,8 @@ void bind_strokes(py::module_& module)
             "__len__", [](const VectorDrawing& self) { return self.strokes.size(); },
             "Return the number of strokes.")
         .def("__getitem__", &stroke_at, py::arg("number"),
-             "Return a Stroke by its number; negative numbers count from the end. Raises IndexError.")
+             "Return a Stroke by its number; negative numbers count from the end. Raises IndexError.\n\n"
+             "A slice returns a list of Stroke.")
         .def(
             "__iter__", [](const std::shared_ptr<VectorDrawing>& self) { return py::iter(strokes_of(self)); },
             "Iterate over all strokes.")
@@ -139,7 +147,8 @@ void bind_strokes(py::module_& module)
             "Names of the drawn objects, a list.")
         .def("save", &save_drawing, py::arg("path"), py::kw_only(), py::arg("tolerance_mm") = 0.02,
              py::arg("plotter") = false,
-             "Write the drawing as SVG in millimetres.\n\n"
+             "Write the drawing as SVG in millimetres. Another ending of `path` than .svg raises "
+             "ValueError.\n\n"
              "`tolerance_mm` is the largest distance of curves from the points. With `plotter` the file has "
              "centre\n"
              "lines only, one layer per pen. Raises Error if the file cannot be written. Cost: 2 us per "
@@ -148,7 +157,17 @@ void bind_strokes(py::module_& module)
              "Return a copy for a plotter, whose pens have one width each.\n\n"
              "Thin hatching is removed, hidden strokes are cut into dashes, strokes that continue each other "
              "are\n"
-             "joined, and strokes are ordered for short ways. Cost: about 1 s for 20 000 strokes.");
+             "joined, and strokes are ordered for short ways. Cost: about 1 s for 20 000 strokes.")
+        .def(
+            "_repr_svg_",
+            [](const py::object& self) {
+                return py::module_::import("estampe._picture").attr("svg_text_of")(self);
+            },
+            "Return the text of the SVG file, for notebooks.")
+        .def("__repr__", [](const VectorDrawing& self) {
+            return fmt::format("<estampe.Drawing of {} strokes, {:.4g} x {:.4g} mm>", self.strokes.size(),
+                               self.width_mm, self.height_mm);
+        });
 }
 
 } // namespace estampe::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // estampe._estampe.Style: the part of estampe.Style that the library does; estampe/_style.py makes it a
 // mapping.
-#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,40 +13,46 @@
 #include "bindings.hpp"
 
 namespace estampe::python {
-namespace {
 
-/// Splits a name that joins several styles by '+'. The part "default" is left out: it changes no parameter.
-std::vector<std::string> parts_of_name(const std::string& name)
+Style style_of(const py::object& value)
 {
-    std::vector<std::string> parts;
-    size_t begin = 0;
-    while (begin <= name.size()) {
-        const size_t end = std::min(name.find('+', begin), name.size());
-        if (const std::string part = name.substr(begin, end - begin); part != "default") {
-            parts.push_back(part);
-        }
-        begin = end + 1;
+    if (value.is_none()) {
+        return {};
     }
-    return parts;
+    if (py::isinstance<py::str>(value)) {
+        return py::module_::import("estampe").attr("Style")(value).cast<const Style&>();
+    }
+    if (!py::isinstance<Style>(value)) {
+        throw py::type_error("style: is not None, the name of a style or a Style");
+    }
+    return value.cast<const Style&>();
 }
 
-Style load_style(const py::object& name, bool confine)
+namespace {
+
+/// Reads a style, whose files are limited to `folders` unless there are none.
+Style load_style(const py::object& name, const std::vector<std::string>& folders)
 {
-    const std::vector<std::string> parts = parts_of_name(path_of(name, "name").string());
-    std::string joined;
-    ReadScope scope; // with `confine` the folders of all parts; a preset has no folder and reads no file
-    for (const std::string& part : parts) {
-        joined += (joined.empty() ? "" : "+") + part;
-        if (confine) {
-            scope.folders.push_back(ReadScope::beside(part).folders.front());
-        }
+    const std::string text = path_of(name, "name").string();
+    const ReadScope scope{{folders.begin(), folders.end()}};
+    const Unlocked unlocked;
+    return Style::load(text, scope);
+}
+
+/// Returns the folders to which the style of a name is confined, at least one.
+py::list folders_of(const py::object& name)
+{
+    ReadScope scope = Style::scope_of(path_of(name, "name").string());
+    if (!scope.is_limited()) {
+        // Presets read no file, and a scope without folders has no limit. The null device is no folder, so it
+        // holds no file.
+        scope.folders.emplace_back("/dev/null");
     }
-    const py::gil_scoped_release unlocked;
-    Style style = parts.empty() ? Style() : Style::load(joined, scope);
-    if (confine && parts.empty()) {
-        style.limit_files({{"."}});
+    py::list folders;
+    for (const std::filesystem::path& folder : scope.folders) {
+        folders.append(py::bytes(folder.string()));
     }
-    return style;
+    return folders;
 }
 
 } // namespace
@@ -55,8 +61,19 @@ void bind_style(py::module_& module)
 {
     py::class_<Style>(module, "Style", "Parameters of a picture; estampe.Style adds the mapping.")
         .def(py::init<const Style&>(), py::arg("other"), "Copy a style.")
-        .def(py::init(&load_style), py::arg("name") = "default", py::arg("confine") = false,
-             "Read a preset, a file, or several joined by '+'.")
+        .def(py::init(&load_style), py::arg("name") = "default",
+             py::arg("folders") = std::vector<std::string>(),
+             "Read a preset, a file, or several joined by '+'. Files are read in `folders` alone, if there "
+             "are "
+             "any.")
+        .def_static("_folders_of", &folders_of, py::arg("name"),
+                    "Return the folders to which a style of this name is confined, a list of bytes.")
+        .def(
+            "_limit_files",
+            [](Style& self, const std::vector<std::string>& folders) {
+                self.limit_files({{folders.begin(), folders.end()}});
+            },
+            py::arg("folders"), "Limit the files that parameters name to folders.")
         .def("set", &Style::set, py::arg("assignment"),
              "Apply one assignment, such as \"hatch.contrast=12\".\n\n"
              "Raises Error for an unknown key, with the nearest known one, and for a value out of range.")

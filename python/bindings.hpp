@@ -25,6 +25,24 @@ namespace estampe::python {
 
 namespace py = pybind11;
 
+/// Releases Python's global lock (GIL) until this object is destroyed, as py::gil_scoped_release does. At the
+/// end of the program Python ends each thread that asks for the GIL by unwinding its stack, which C++ answers
+/// with std::terminate. So finish_threads() waits for the objects of all other threads, and these threads
+/// sleep from then on instead of asking for the GIL.
+class Unlocked {
+public:
+    Unlocked();
+    ~Unlocked();
+    Unlocked(const Unlocked&) = delete;
+    Unlocked& operator=(const Unlocked&) = delete;
+
+private:
+    PyThreadState* state_ = nullptr;
+};
+
+/// Lets the threads that draw come to an end, see Unlocked. Called at the end of the program, with the GIL.
+void finish_threads();
+
 /// A scene together with its lightmap.
 struct LitScene {
     Scene scene;
@@ -105,8 +123,23 @@ struct CameraPage {
 [[nodiscard]] Camera resolve_camera(const CameraChoice& choice, const Scene& scene, const Style& style,
                                     const CameraPage& page);
 
-/// Returns the animation of a number or a name. Throws ValueError that lists the names.
-[[nodiscard]] Index animation_of(const py::object& value, const Scene& scene);
+/// Number or name of an animation.
+using AnimationChoice = std::variant<py::ssize_t, std::string>;
+
+/// Converts a Python argument to the choice of an animation. Throws TypeError for anything but a text or an
+/// integer.
+[[nodiscard]] AnimationChoice animation_choice_of(const py::object& value);
+
+/// Returns the chosen animation of a scene; needs no GIL. Throws ValueError that lists the names, and
+/// IndexError.
+[[nodiscard]] Index find_animation(const AnimationChoice& choice, const Scene& scene);
+
+/// Converts a Python argument to a style: None (the default style), the name of a style or a Style. Throws
+/// TypeError for anything else.
+[[nodiscard]] Style style_of(const py::object& value);
+
+/// Converts a Python argument to a scene. Throws TypeError for anything but a Scene.
+[[nodiscard]] SharedScene& scene_argument(const py::object& value);
 
 /// Converts limits; None is no limit. Throws ValueError for a limit that is not positive.
 [[nodiscard]] WorkLimits limits_of(const std::optional<double>& max_memory_bytes,
@@ -114,6 +147,9 @@ struct CameraPage {
 
 /// Converts a text or a path object of Python. Throws TypeError for anything else.
 [[nodiscard]] std::filesystem::path path_of(const py::object& value, const char* argument);
+
+/// Returns the ending of a file's name in lower case, such as ".svg"; empty if there is none.
+[[nodiscard]] std::string lower_ending_of(const std::filesystem::path& file);
 
 /// Converts a (h, w, 3) or (h, w, 4) uint8 array to an image. Throws TypeError and ValueError.
 [[nodiscard]] Image image_of(const py::object& pixels, const char* argument);

@@ -46,6 +46,15 @@ std::filesystem::path path_of(const py::object& value, const char* argument)
     }
 }
 
+std::string lower_ending_of(const std::filesystem::path& file)
+{
+    std::string ending = file.extension().string();
+    for (char& letter : ending) {
+        letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    }
+    return ending;
+}
+
 namespace {
 
 /// The exception types of the module. They live as long as the interpreter.
@@ -122,7 +131,7 @@ void bind_devices(py::module_& module)
         .def("__repr__", [](const DeviceInfo& device) {
             return fmt::format("<estampe.Device {}: {}>", device.index, device.name);
         });
-    module.def("devices", &list_devices, py::call_guard<py::gil_scoped_release>(),
+    module.def("devices", &list_devices, py::call_guard<Unlocked>(),
                "Return the Vulkan devices of this machine, as a list of Device.\n\n"
                "The list is empty if no Vulkan driver is installed. Cost: some milliseconds.");
 }
@@ -145,4 +154,5 @@ PYBIND11_MODULE(_estampe, module)
     bind_layers(module);
     bind_strokes(module);
     bind_renderer(module);
+    py::module_::import("atexit").attr("register")(py::cpp_function(&finish_threads));
 }

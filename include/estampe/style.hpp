@@ -40,6 +40,11 @@ public:
     /// that file may be no style.
     [[nodiscard]] static Style load(const std::string& name, const ReadScope& scope = {});
 
+    /// Returns the folders of the files that `name` names, as load() splits it, for a ReadScope that confines
+    /// the style to them. Presets have no folder, so the scope has no limit if `name` names presets alone.
+    /// Throws Error if `name` joins an empty part. Looks up which parts are existing files.
+    [[nodiscard]] static ReadScope scope_of(const std::string& name);
+
     /// Limits the files that parameters name to `scope`, also those that set() has named.
     void limit_files(const ReadScope& scope);
 

@@ -48,6 +48,9 @@ class Page(_Size):
             raise ValueError(f"dpi: {name} has {width} x {height} pixels at {dpi} dpi; a side may have 65535")
         return super().__new__(cls, width, height, width_mm, height_mm, float(dpi))
 
+    def __reduce__(self):
+        return type(self)._make, (tuple(self),)
+
 
 def _size_of(name: str) -> "tuple[float, float]":
     if not isinstance(name, str):

@@ -2,6 +2,7 @@
 """Styles as mappings from keys to values."""
 
 import difflib
+import functools
 import json
 import math
 import numbers
@@ -24,16 +25,26 @@ class Style(_estampe.Style):
     the folders of the named files are read, for styles of strangers. Raises Error with file, line and column, the key,
     and the allowed values.
 
+    With `confine` and presets alone, no file is read at all. Copies and pickles keep the limit.
+
     Values are bool, int, float or str; colours are texts such as "#1b1a22". Setting a value also takes a colour as
-    three sRGB numbers from 0 to 1. Keys can be limited to materials or objects: 'material."brick*".hatch.width_mm'.
+    three sRGB numbers from 0 to 1. The type of a value depends on its key alone, as schema() says: a colour is always a
+    text, rounded to 8 bits per component, and a number of type "number" always a float.
+    Keys can be limited to materials or objects: 'material."brick*".hatch.width_mm'.
     """
 
     def __init__(self, name="default", confine=False):
         if isinstance(name, _estampe.Style):
+            if confine:
+                raise ValueError("confine: is only valid with the name of a style")
             super().__init__(name)
+            self._folders = getattr(name, "_folders", [])
         else:
-            super().__init__(name, confine)
-        self._known = None
+            self._folders = _estampe.Style._folders_of(name) if confine else []
+            super().__init__(name, self._folders)
+        # What _values() has read, with the token that the style had then. Each change makes a token.
+        self._token = object()
+        self._known = (None, {})
 
     @classmethod
     def load(cls, name, confine=False):
@@ -50,15 +61,17 @@ class Style(_estampe.Style):
         return self.copy()
 
     def __reduce__(self):
-        return _from_toml, (self.to_toml(),)
+        return _from_toml, (self.to_toml(), self._folders)
 
     def set(self, assignment):
         """Apply one assignment, such as "hatch.contrast=12".
 
         Raises Error for an unknown key, with the nearest known one, and for a value that is not allowed.
         """
-        self._known = None
-        super().set(assignment)
+        try:
+            super().set(assignment)
+        finally:
+            self._token = object()
 
     def __setitem__(self, key, value):
         """Set a parameter. Raises Error for an unknown key or a value that is not allowed, TypeError for its type."""
@@ -121,18 +134,50 @@ class Style(_estampe.Style):
         return json.loads(_estampe.Style._json_schema())
 
     def _values(self):
-        if self._known is None:
-            self._known = dict(_flat(tomllib.loads(self.to_toml()), ""))
-        return self._known
+        token, values = self._known
+        if token is not self._token:
+            token = self._token
+            values = {key: _typed(key, value) for key, value in _flat(tomllib.loads(self.to_toml()), "")}
+            self._known = token, values
+        return values
 
 
-def _from_toml(text):
-    """Return the style that to_toml() wrote."""
+def _from_toml(text, folders):
+    """Return the style that to_toml() wrote, with its files limited to folders, if there are any."""
     style = Style()
+    defaults = dict(_flat(tomllib.loads(style.to_toml()), ""))
     for key, value in _flat(tomllib.loads(text), ""):
-        if style.get(key) != value:
+        if defaults.get(key) != value:
             style[key] = value
+    if folders:
+        style._limit_files(folders)
+        style._folders = folders
     return style
+
+
+@functools.cache
+def _float_keys():
+    """Return the keys, section and name, of all parameters that are numbers with a fraction."""
+    sections = Style.schema()["properties"]
+    return frozenset(path for path, kind in _kinds(sections, "") if kind == "number")
+
+
+def _kinds(properties, before):
+    for name, about in properties.items():
+        yield before + name, about.get("type")
+        yield from _kinds(about.get("properties", {}), before + name + ".")
+
+
+def _typed(key, value):
+    """Return a value of TOML in the type that all values of its parameter have."""
+    if isinstance(value, list):  # a colour that 8 bits do not hold
+        return "#" + "".join(f"{round(255 * component):02x}" for component in value)
+    if isinstance(value, int) and not isinstance(value, bool):
+        names = _segments(key)
+        # A key of a material or an object is that of the style after the name of the material.
+        known = ".".join(names[2:] if names[0] in ("material", "object") else names)
+        return float(value) if known in _float_keys() else value
+    return value
 
 
 def _flat(table, before):

@@ -56,6 +56,17 @@ Style Style::load(const std::string& name, const ReadScope& scope)
     return style;
 }
 
+ReadScope Style::scope_of(const std::string& name)
+{
+    ReadScope scope;
+    for (const std::string& part : style::parts_of(name)) {
+        if (!style::preset_text(part)) {
+            scope.folders.push_back(ReadScope::beside(part).folders.front());
+        }
+    }
+    return scope;
+}
+
 void Style::limit_files(const ReadScope& scope)
 {
     features::limit_files(*tables_, scope);

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Arrays that become parts, images, materials and nodes, and wrong arrays, which raise exceptions that name them."""
 
+import copy
+import pickle
 import unittest
 
 import numpy as np
@@ -126,6 +128,8 @@ class Parts(unittest.TestCase):
             (ValueError, "topology", dict(topology="quads")),
             (IndexError, "material", dict(material=-1)),
             (IndexError, "material", dict(material=2**40)),
+            (TypeError, "material", dict(material=1.5)),
+            (TypeError, "material", dict(material=None)),
         ]
         for error, name, changes in wrong:
             arguments = {"positions": QUAD, "indices": QUAD_TRIANGLES, **changes}
@@ -165,7 +169,7 @@ class Scenes(unittest.TestCase):
 
     def test_wrong_arguments_are_named(self):
         scene = estampe.Scene()
-        part = estampe.Part(QUAD, QUAD_TRIANGLES)
+        part = estampe.Part(QUAD, QUAD_TRIANGLES, material=1)
         image = np.zeros((2, 2, 4), np.uint8)
         wrong = [
             (IndexError, "material", lambda: scene.add_mesh("m", part)),
@@ -191,6 +195,9 @@ class Scenes(unittest.TestCase):
             (ValueError, "inner_cone_deg", lambda: scene.add_light("spot", inner_cone_deg=50)),
             (ValueError, "fov_deg", lambda: scene.add_camera(fov_deg=0)),
             (IndexError, "mesh", lambda: scene.add_node(mesh=0)),
+            (TypeError, "mesh", lambda: scene.add_node(mesh=1.0)),
+            (TypeError, "node", lambda: scene.set_matrix("quad", np.eye(4))),
+            (TypeError, "base_color_image", lambda: scene.add_material(base_color_image=True)),
             (IndexError, "light", lambda: scene.add_node(light=0)),
             (IndexError, "camera", lambda: scene.add_node(camera=0)),
             (IndexError, "parent", lambda: scene.add_node(parent=0)),
@@ -211,6 +218,24 @@ class Scenes(unittest.TestCase):
             with self.assertRaisesRegex(error, f"^{name}: "):
                 call()
         self.assertEqual((scene.nodes, scene.materials, scene.meshes), ([], [], []))
+
+    def test_exceptions_of_indices_pass(self):
+        class Broken:
+            def __index__(self):
+                raise KeyError("broken")
+
+        with self.assertRaisesRegex(KeyError, "broken"):
+            estampe.Scene().bounds(animation=Broken())
+        with self.assertRaisesRegex(KeyError, "broken"):
+            estampe.Scene().add_node(mesh=Broken())
+
+    def test_a_scene_without_materials_gets_one(self):
+        scene = estampe.Scene()
+        scene.add_node(mesh=scene.add_mesh("m", estampe.Part(QUAD, QUAD_TRIANGLES)))
+        self.assertEqual((scene.materials, scene.faults()), (["default"], []))
+        scene.add_mesh("again", estampe.Part(QUAD, QUAD_TRIANGLES))
+        self.assertEqual(scene.materials, ["default"])
+        self.assertTrue(estampe.Scene().faults())
 
     def test_normal_maps_need_tangents(self):
         scene = estampe.Scene()
@@ -233,6 +258,8 @@ class Cameras(unittest.TestCase):
         for camera in (text, numbers):
             self.assertEqual((camera.eye.tolist(), camera.target.tolist()), ([2, 1, 3], [0, 0.5, 0]))
             self.assertAlmostEqual(camera.fov_deg, 40)
+            self.assertAlmostEqual(camera.near_m, np.linalg.norm([2, 0.5, 3]) / 1000)
+        self.assertEqual(estampe.Camera(eye=(2, 1, 3), near_m=0.5).near_m, 0.5)
         self.assertIn("isometric", estampe.Camera.views)
         self.assertIsNone(estampe.Camera("auto").eye)
 
@@ -255,6 +282,7 @@ class Cameras(unittest.TestCase):
             (ValueError, "up", dict(eye=(0, 1, 0))),
             (ValueError, "fov_deg", dict(eye=(0, 0, 1), fov_deg=180)),
             (ValueError, "camera", dict(text="")),
+            (ValueError, "text", dict(text="eye=0,0,5 shift=0.1,0", shift=(0.2, 0))),
         ]
         for error, name, arguments in wrong:
             with self.assertRaisesRegex(error, f"^{name}: ", msg=str(arguments)):
@@ -264,6 +292,12 @@ class Cameras(unittest.TestCase):
 
 
 class Pages(unittest.TestCase):
+    def test_copies(self):
+        page = estampe.Page("A4", dpi=150)
+        for other in (copy.copy(page), copy.deepcopy(page), pickle.loads(pickle.dumps(page))):
+            self.assertIsInstance(other, estampe.Page)
+            self.assertEqual(other, page)
+
     def test_sizes(self):
         page = estampe.Page("A4", dpi=150)
         self.assertEqual((page.width, page.height, page.height_mm), (1240, 1754, 297.0))

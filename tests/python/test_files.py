@@ -132,6 +132,26 @@ class Files(unittest.TestCase):
         with self.assertRaisesRegex(estampe.Error, "outer.bin"):
             estampe.Scene.load(path, confine=True)
 
+    def test_limits_hold_for_lightmaps(self):
+        light = np.full((4096, 4096, 4), 255, np.uint8).view(estampe.Picture)
+        light.save(os.path.join(self.folder, "light.png"))
+        del light
+        gltf = gltf_of_quad()
+        gltf["accessors"].append({"bufferView": 0, "componentType": 5126, "type": "VEC2", "count": 4})
+        gltf["bufferViews"][0]["byteStride"] = 12
+        gltf["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 4
+        gltf["materials"][0]["extras"] = {"estampe": {"lightmap": {"uri": "light.png", "texCoord": 0}}}
+        lit = os.path.join(self.folder, "lit.gltf")
+        with open(lit, "w", encoding="utf-8") as file:
+            json.dump(gltf, file)
+        estampe.Scene.load(lit)
+        with open("/proc/self/statm", encoding="ascii") as file:
+            resident_bytes = int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+        limit_bytes = resident_bytes + 20e6  # the pixels of the lightmap have 64 MiB
+        estampe.Scene.load(self.path, max_memory=limit_bytes)
+        with self.assertRaisesRegex(estampe.Error, "lit.gltf"):
+            estampe.Scene.load(lit, max_memory=limit_bytes)
+
     def test_limits_and_damage(self):
         with self.assertRaises(estampe.Error):
             estampe.Scene.load(SQUARE_GLB, max_memory=1000)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Pictures of scenes that are known: their colours, their orientation, and the same bytes as from the program."""
 
+import copy
 import os
+import pickle
 import tempfile
 import unittest
 
@@ -40,12 +42,15 @@ class Orientation(unittest.TestCase):
         shifted = estampe.Camera(eye=(0, 0, 5), target=(0, 0, 0), half_height_m=2, shift=(0.25, -0.125))
         text = "eye=0,0,5 target=0,0,0 ortho=2 shift=0.25,-0.125"
         self.assertEqual(shifted.shift, (0.25, -0.125))
+        self.assertEqual(repr(shifted), f"<estampe.Camera {text}>")
+        self.assertEqual(repr(estampe.Camera(text)), repr(shifted))
+        self.assertRegex(repr(renderer()), "^<estampe.Renderer on .*>$")
         before = renderer().buffers(straight, plain_style(), **SIZE).objects
         after = renderer().buffers(shifted, plain_style(), **SIZE).objects
         self.assertEqual((before == 0).sum(), 32 * 32)
         np.testing.assert_array_equal(np.roll(before, (-8, -16), axis=(0, 1)), after)
         np.testing.assert_array_equal(renderer().buffers(text, plain_style(), **SIZE).objects, after)
-        with self.assertRaisesRegex(ValueError, "shift"):
+        with self.assertRaisesRegex(ValueError, "^text: .*shift"):
             estampe.Camera("auto", shift=(0, 0))
         with self.assertRaisesRegex(ValueError, "shift"):
             estampe.Camera(eye=(0, 0, 5), shift=(np.nan, 0))
@@ -221,6 +226,33 @@ class Results(unittest.TestCase):
             self.assertEqual(sorted(os.listdir(folder)), ["a.jpg", "a.png", "a.webp"])
         self.assertIsNone(picture[..., 0]._repr_png_())
 
+    def test_arithmetic_makes_plain_arrays(self):
+        picture = renderer().render(style="pencil", **SIZE)
+        for other in (picture * 0.5, 255 - picture, picture / 255, picture.mean(axis=0), np.sqrt(picture),
+                      picture.astype(np.float32), picture == picture):
+            self.assertIs(type(other), np.ndarray)
+        for number in (picture.mean(), picture.max(), np.sum(picture), picture.any()):
+            self.assertNotIsInstance(number, np.ndarray)
+        for part in (picture[::2], picture[:, ::-1].copy(), picture.view()):
+            self.assertIsInstance(part, estampe.Picture)
+        kept = picture
+        picture += 0
+        self.assertIs(kept, picture)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.png")
+            with self.assertRaisesRegex(TypeError, "float64"):
+                (picture / 255).view(estampe.Picture).save(path)
+            with self.assertRaisesRegex(ValueError, "^quality: "):
+                picture.save(path, quality=50)
+            with self.assertRaisesRegex(ValueError, "^quality: "):
+                renderer().render_linear(**SIZE).save(os.path.join(folder, "a.exr"), quality=50)
+            self.assertEqual(os.listdir(folder), [])
+        clear = renderer().render_linear(transparent=True, **SIZE)
+        for other in (pickle.loads(pickle.dumps(clear)), copy.copy(clear), copy.deepcopy(clear)):
+            self.assertIsInstance(other, estampe.Picture)
+            self.assertEqual(other.paper, clear.paper)
+            np.testing.assert_array_equal(other, clear)
+
     def test_linear_pictures_encode_to_the_bytes(self):
         linear = renderer().render_linear(**SIZE).array
         self.assertEqual((linear.shape, linear.dtype), ((64, 64, 4), np.float32))
@@ -250,7 +282,20 @@ class Results(unittest.TestCase):
         self.assertIn("ground", [mask.name for mask in layers.masks])
         with self.assertRaises(KeyError):
             layers["none of these"]
+        self.assertIsNone(layers.get("none of these"))
+        self.assertEqual(layers.get(3, "missing"), "missing")
+        self.assertTrue(np.shares_memory(layers.get("wash"), layers["wash"]))
+        self.assertEqual(layers._repr_png_(), layers.picture._repr_png_())
+        self.assertIn("wash", repr(layers))
         with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.png", "a.psd", "a.b.c"):
+                with self.assertRaisesRegex(ValueError, "^path: "):
+                    layers.save(os.path.join(folder, name))
+            self.assertEqual(os.listdir(folder), [])
+            layers.save(os.path.join(folder, "ending.of.folder/"))
+            self.assertIn("layers.json", os.listdir(os.path.join(folder, "ending.of.folder")))
+            layers.save(os.path.join(folder, "A.ORA"))
+            self.assertTrue(os.path.isfile(os.path.join(folder, "A.ORA")))
             layers.save(os.path.join(folder, "a.ora"))
             layers.save(os.path.join(folder, "a"))
             self.assertIn("layers.json", os.listdir(os.path.join(folder, "a")))
@@ -280,6 +325,15 @@ class Results(unittest.TestCase):
         np.testing.assert_array_equal(last, drawing[len(drawing) - 1].points)
         with self.assertRaises(IndexError):
             drawing[len(drawing)]
+        with self.assertRaisesRegex(TypeError, "^number: "):
+            drawing[1.5]
+        self.assertEqual([len(stroke.points) for stroke in drawing[-3:]],
+                         [len(stroke.points) for stroke in drawing.strokes[-3:]])
+        self.assertIn("<svg", drawing._repr_svg_())
+        self.assertIn(f"{len(drawing)} strokes", repr(drawing))
+        for name in ("a.png", "a", "/nonexistent/a.pdf"):
+            with self.assertRaisesRegex(ValueError, "^path: "):
+                drawing.save(name)
         prepared = drawing.for_plotter()
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.svg")
@@ -312,6 +366,13 @@ class Results(unittest.TestCase):
         expected = renderer().render("auto", style, **SIZE)
         np.testing.assert_array_equal(renderer().render(camera, style, **SIZE), expected)
         self.assertEqual(camera.eye.shape, (3,))
+        named = estampe.Camera("auto").placed(self.scene, "comic", **SIZE)
+        same = estampe.Camera("auto").placed(self.scene, estampe.Style("comic"), **SIZE)
+        self.assertEqual(named.eye.tolist(), same.eye.tolist())
+        with self.assertRaisesRegex(TypeError, "^scene: "):
+            camera.placed(None)
+        with self.assertRaisesRegex(TypeError, "^style: "):
+            camera.placed(self.scene, 3)
 
     def test_wrong_arguments_are_named(self):
         wrong = [
@@ -328,6 +389,9 @@ class Results(unittest.TestCase):
             (TypeError, "transparent", dict(transparent=3)),
             (TypeError, "page", dict(page="A4")),
             (ValueError, "page", dict(page=estampe.Page("A6", 20), width=8)),
+            (ValueError, "page.width", dict(page=estampe.Page("A6", 20)._replace(width=-5))),
+            (ValueError, "page", dict(page=estampe.Page("A6", 20)._replace(height=float("nan")))),
+            (ValueError, "page.height_mm", dict(page=estampe.Page("A6", 20)._replace(height_mm=float("nan")))),
             (TypeError, "follows", dict(follows="yes")),
             (ValueError, "max_seconds", dict(max_seconds=-1)),
             (TypeError, "widht", dict(widht=8)),
@@ -339,6 +403,8 @@ class Results(unittest.TestCase):
                           dict(max_seconds=1e-9), dict(max_memory=1)):
             with self.assertRaises(estampe.Error, msg=str(arguments)):
                 renderer().render(**SIZE, **arguments)
+        with self.assertRaisesRegex(TypeError, "^scene: "):
+            renderer().set_scene(None)
         with self.assertRaisesRegex(TypeError, "device"):
             estampe.Renderer(2.5)
         with self.assertRaises(estampe.Error):

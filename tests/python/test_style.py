@@ -11,7 +11,7 @@ from collections import abc
 import numpy as np
 
 import estampe
-from helpers import run_program
+from helpers import renderer, run_program, scene_of_quad
 
 
 class Styles(unittest.TestCase):
@@ -108,6 +108,58 @@ class Styles(unittest.TestCase):
             self.assertEqual(estampe.Style(inner + "/mine.toml")["hatch.layers"], 1)
             with self.assertRaisesRegex(estampe.Error, "outer.toml"):
                 estampe.Style(inner + "/mine.toml", confine=True)
+
+    def test_confinement_knows_the_names_of_styles(self):
+        with tempfile.TemporaryDirectory() as folder:
+            uploads = os.path.join(folder, "a+b")
+            os.mkdir(uploads)
+            for path, text in ((folder + "/outer.toml", "[hatch]\nlayers = 1\n"),
+                               (uploads + "/mine.toml", "[hatch]\nlayers = 2\n"),
+                               (uploads + "/bad.toml", f'extends = "{folder}/outer.toml"\n')):
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(text)
+            before = os.getcwd()
+            os.chdir(folder)
+            try:
+                folders = estampe.Style(f"comic+{uploads}/mine.toml", confine=True)._folders
+                self.assertEqual(folders, [os.fsencode(uploads)])
+                self.assertEqual(estampe.Style(f"comic+default+{uploads}/mine.toml", confine=True)["hatch.layers"], 2)
+                with self.assertRaisesRegex(estampe.Error, "outer.toml"):
+                    estampe.Style(f"comic+{uploads}/bad.toml", confine=True)
+            finally:
+                os.chdir(before)
+
+    def test_copies_of_confined_styles_are_confined(self):
+        scene = scene_of_quad()
+        renderer().set_scene(scene)
+        with tempfile.TemporaryDirectory() as folder:
+            brush = os.path.join(folder, "brush.png")
+            np.full((8, 8, 4), 128, np.uint8).view(estampe.Picture).save(brush)
+            style = estampe.Style("comic", confine=True)
+            style["contour.brush"] = brush
+            for other in (style, style.copy(), pickle.loads(pickle.dumps(style)), copy.deepcopy(style)):
+                with self.assertRaisesRegex(estampe.Error, "brush.png"):
+                    renderer().render("front", other, width=32, height=32)
+            free = estampe.Style("comic")
+            free["contour.brush"] = brush
+            renderer().render("front", pickle.loads(pickle.dumps(free)), width=32, height=32)
+
+    def test_types_depend_on_keys_alone(self):
+        style = estampe.Style()
+        style['material."brick*".hatch.width_mm'] = 2
+        style["hatch.width_mm"] = 1
+        for key in ("hatch.width_mm", 'material."brick*".hatch.width_mm'):
+            self.assertIs(type(style[key]), float, key)
+        style["contour.ink"] = (0.123, 0.4567, 0.3)
+        self.assertEqual(style["contour.ink"], "#1f744c")
+        self.assertEqual(pickle.loads(pickle.dumps(style)).to_toml(), style.to_toml())
+        properties = estampe.Style.schema()["properties"]
+        kinds = {"number": float, "integer": int, "boolean": bool, "string": str}
+        for key, value in estampe.Style("pencil").items():
+            section, _, name = key.partition(".")
+            kind = properties[section].get("properties", {}).get(name, {}).get("type")
+            if kind in kinds:
+                self.assertIs(type(value), kinds[kind], key)
 
     def test_copies_are_independent(self):
         style = estampe.Style("pencil")

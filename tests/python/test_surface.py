@@ -78,6 +78,15 @@ class Surface(unittest.TestCase):
                         text = doc.partition("\n\n")[2] if doc and "self: " in doc.partition("\n")[0] else doc
                         self.assertTrue(text, f"{name}.{member}")
 
+    def test_help_names_the_package_alone(self):
+        for name in estampe.__all__:
+            thing = getattr(estampe, name)
+            members = vars(thing) if inspect.isclass(thing) else {}
+            docs = [thing.__doc__] + [getattr(thing, member).__doc__ for member in members]
+            for doc in docs:
+                for word in ("::", "SharedScene", "CameraChoice", "LitScene"):
+                    self.assertNotIn(word, doc or "", name)
+
     def test_errors_are_exceptions(self):
         self.assertTrue(issubclass(estampe.Error, RuntimeError))
         self.assertTrue(issubclass(estampe.DeviceLost, estampe.Error))

@@ -101,27 +101,43 @@ class Threads(unittest.TestCase):
         scene = scene_of_quad(double_sided=True)
         style = estampe.Style("comic")
         own.set_scene(scene)
-        expected = own.render("front", style, **SIZE)
+        size = {"width": 320, "height": 240, "samples": 4}
+        expected = own.render("front", style, **size)
+        changes = 0
+        for _ in range(5):
+            found = []
+            drawer = threading.Thread(target=lambda: found.append(own.render("front", style, **size)))
+            drawer.start()
+            time.sleep(0.01)  # render() copies its arguments before it lets this thread run
+            while drawer.is_alive():
+                scene.add_node("more", mesh=scene.add_mesh("more", estampe.Part(QUAD, QUAD_TRIANGLES)))
+                style["contour.ink"], style["paper.color"] = "#ff0000", "#00ff00"
+                estampe.Camera("front").placed(scene, style)
+                changes += 1
+            drawer.join()
+            np.testing.assert_array_equal(found[0], expected)
+            style = estampe.Style("comic")
+        self.assertGreater(changes, 5)
+        self.assertGreater(len(scene.nodes), 1)
+
+    def test_values_are_never_stale(self):
+        style = estampe.Style()
         done = threading.Event()
 
-        def change():
-            copy = style.copy()
+        def read():
             while not done.is_set():
-                mesh = scene.add_mesh("more", estampe.Part(QUAD, QUAD_TRIANGLES))
-                scene.add_node("more", mesh=mesh)
-                copy["hatch.layers"] = 1
+                style["hatch.width_mm"]
 
-        changer = threading.Thread(target=change)
-        changer.start()
+        reader = threading.Thread(target=read)
+        reader.start()
         try:
-            for _ in range(5):
-                np.testing.assert_array_equal(own.render("front", style, **SIZE), expected)
-                own.set_scene(scene_of_quad(double_sided=True))
-                scene.bounds()
+            for number in range(200):
+                width_mm = 0.25 + number % 16 / 64
+                style["hatch.width_mm"] = width_mm
+                self.assertEqual(style["hatch.width_mm"], width_mm)
         finally:
             done.set()
-            changer.join()
-        self.assertGreater(len(scene.nodes), 1)
+            reader.join()
 
     def test_set_scene_takes_the_scene_as_it_is(self):
         scene = scene_of_quad(double_sided=True)
