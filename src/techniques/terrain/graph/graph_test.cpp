@@ -277,5 +277,15 @@ TEST(Dunes, SlipAtTheAngleOfReposeAndGoWithTheWind)
     }
 }
 
+TEST(HeightGraph, CoordinatesBeyondAllIntegersHaveAHeight)
+{
+    const Terrain ground(parse_terrain(
+        "[terrain]\nheight = \"warp(dunes(814, 10, meander = 0.35), 14 * noise(260), 4e32) + noise(3)\"\n",
+        "far.toml"));
+    for (const double place_m : {0.0, 0.37, -1234.5, 1e6}) {
+        EXPECT_FALSE(std::isnan(ground.sample(place_m, -0.7 * place_m, 3.25).height_m)) << place_m;
+    }
+}
+
 } // namespace
 } // namespace estampe

@@ -123,14 +123,22 @@ Real hashed_unit(uint bits)
     return Real(bits >> 8u) * Real(1.0 / 16777216.0);
 }
 
+// Converts a whole number to the number of a cell. Warped coordinates may be larger than any integer, or no
+// number.
+int cell_number(Real whole)
+{
+    const Real most = Real(1e9);
+    return whole > -most ? int(whole < most ? whole : most) : -1000000000;
+}
+
 // Gradient noise in about [-1, 1] with one feature per unit (Perlin, "Improving noise", SIGGRAPH 2002, but
 // with arbitrary gradients).
 Real4 gradient_noise(Place p, uint seed)
 {
     Real base_u = real_floor(p.u.x);
     Real base_v = real_floor(p.v.x);
-    int cell_u = p.cell_u + int(base_u);
-    int cell_v = p.cell_v + int(base_v);
+    int cell_u = p.cell_u + cell_number(base_u);
+    int cell_v = p.cell_v + cell_number(base_v);
     Real fu = p.u.x - base_u;
     Real fv = p.v.x - base_v;
     Real wu = fu * fu * fu * (fu * (fu * Real(6) - Real(15)) + Real(10));
@@ -175,8 +183,8 @@ Place next_octave(Place p)
     q.v = p.u + p.v * Real(2);
     Real whole_u = real_floor(q.u.x);
     Real whole_v = real_floor(q.v.x);
-    q.cell_u = q.cell_u + int(whole_u);
-    q.cell_v = q.cell_v + int(whole_v);
+    q.cell_u = q.cell_u + cell_number(whole_u);
+    q.cell_v = q.cell_v + cell_number(whole_v);
     q.u.x = q.u.x - whole_u;
     q.v.x = q.v.x - whole_v;
     q.period_m = p.period_m * Real(0.4472135954999579);
@@ -241,7 +249,7 @@ Real4 leaf_cellular(Place p, uint first, Real spacing_m)
     for (int neighbour = 0; neighbour < 9; ++neighbour) {
         int iu = neighbour % 3 - 1;
         int iv = neighbour / 3 - 1;
-        uint bits = height_hash(p.cell_u + int(base_u) + iu, p.cell_v + int(base_v) + iv, seed);
+        uint bits = height_hash(p.cell_u + cell_number(base_u) + iu, p.cell_v + cell_number(base_v) + iv, seed);
         Real du = fu - Real(iu) - hashed_unit(bits);
         Real dv = fv - Real(iv) - hashed_unit(hash(bits));
         Real square = du * du + dv * dv;
@@ -318,9 +326,9 @@ Real4 leaf_texture(Place p, uint first, Real spacing_m)
     Real sum_u = Real(0);
     Real sum_v = Real(0);
     for (int j = 0; j < 4; ++j) {
-        int row = wrapped_texel(int(base_v) + j - 1 + turn_v * rows, rows, wrap);
+        int row = wrapped_texel(cell_number(base_v) + j - 1 + turn_v * rows, rows, wrap);
         for (int i = 0; i < 4; ++i) {
-            int column = wrapped_texel(int(base_u) + i - 1 + turn_u * columns, columns, wrap);
+            int column = wrapped_texel(cell_number(base_u) + i - 1 + turn_u * columns, columns, wrap);
             Real texel = height_texel(first_texel + uint(row * columns + column)) - mean;
             sum = sum + weights_u[i] * weights_v[j] * texel;
             sum_u = sum_u + slopes_u[i] * weights_v[j] * texel;
@@ -340,7 +348,7 @@ Real4 row_noise(int cell, Real t, int row, uint seed)
 {
     Real base = real_floor(t);
     Real f = t - base;
-    int at = cell + int(base);
+    int at = cell + cell_number(base);
     Real a = Real(2) * hashed_unit(height_hash(at, row, seed)) - Real(1);
     Real b = Real(2) * hashed_unit(height_hash(at + 1, row, seed)) - Real(1);
     Real weight = f * f * f * (f * (f * Real(6) - Real(15)) + Real(10));
@@ -415,7 +423,7 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
         return dual(Real(0));
     }
     Real whole = real_floor(p.u.x);
-    p.cell_u = p.cell_u + int(whole);
+    p.cell_u = p.cell_u + cell_number(whole);
     p.u.x = p.u.x - whole;
     Real foot_m = height_number(first + 8u);
     Real4 height = dual(Real(0));
