@@ -68,6 +68,7 @@ TEST(Temple, TheSameNumberGivesTheSameTempleAndAnotherAnother)
 TEST(Temple, IsOfASizeThatCanBeDrawn)
 {
     const Scene scene = build_temple(1);
+    EXPECT_EQ(estampe::faults(scene), std::vector<std::string>());
     EXPECT_GT(triangles_of(scene), 150'000U);
     EXPECT_LT(triangles_of(scene), 600'000U);
     EXPECT_LT(scene.meshes.size(), 200U);

@@ -263,8 +263,10 @@ Primitive trunk(Index material)
         for (uint32_t column = 0; column <= skin_columns; ++column) {
             const double angle = whole_turn * column / skin_columns;
             part.positions.emplace_back(skin_at(share, angle));
-            const glm::vec3 around = skin_at(share, angle + tiny) - skin_at(share, angle - tiny);
-            const glm::vec3 up = skin_at(share + tiny, angle) - skin_at(share - tiny, angle);
+            // The skin has no direction below its lowest ring, whose normals are those just above it.
+            const double above = std::max(share, 2.0 * tiny);
+            const glm::vec3 around = skin_at(above, angle + tiny) - skin_at(above, angle - tiny);
+            const glm::vec3 up = skin_at(above + tiny, angle) - skin_at(above - tiny, angle);
             part.normals.push_back(glm::normalize(glm::cross(up, around)));
             part.uvs[0].emplace_back(4.0 * angle, 0.6 * funnel_m * share - rises_m * angle / whole_turn);
             const double along = share * (ring_count - 1);
