@@ -68,8 +68,6 @@ public:
     {
         for (size_t i = 0; i < scene_.textures.size(); ++i)
             faults_.expect(is_well_formed(scene_.textures[i].image), [&] { return texture_fault(i); });
-        faults_.expect(!scene_.materials.empty(),
-                       [] { return std::string("materials is empty: a scene needs at least one"); });
         for (size_t i = 0; i < scene_.materials.size(); ++i)
             material(scene_.materials[i], [&] { return item("materials", i, scene_.materials[i].name); });
         for (size_t i = 0; i < scene_.meshes.size(); ++i)
@@ -219,13 +217,6 @@ private:
     {
         vertex_arrays(primitive, where);
         indices(primitive, where);
-        const size_t vertices = primitive.positions.size();
-        faults_.expect(primitive.topology != Topology::triangles || primitive.normals.size() == vertices,
-                       [&] {
-                           return fmt::format(
-                               "{}: triangles need a normal for each of the {} positions, and there are {}",
-                               where(), vertices, primitive.normals.size());
-                       });
         const size_t materials = scene_.materials.size();
         required(primitive.material, materials, "material", "materials", where);
         index(primitive.default_material, materials, "default_material", "materials", where);

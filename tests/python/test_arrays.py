@@ -235,7 +235,7 @@ class Scenes(unittest.TestCase):
         self.assertEqual((scene.materials, scene.faults()), (["default"], []))
         scene.add_mesh("again", estampe.Part(QUAD, QUAD_TRIANGLES))
         self.assertEqual(scene.materials, ["default"])
-        self.assertTrue(estampe.Scene().faults())
+        self.assertEqual(estampe.Scene().faults(), [])
 
     def test_normal_maps_need_tangents(self):
         scene = estampe.Scene()

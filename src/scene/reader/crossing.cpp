@@ -24,7 +24,15 @@ void make_printable(std::vector<std::string>& texts)
 
 void check_received_scene(Scene& scene, const std::string& where)
 {
-    if (!structural_faults(scene).empty())
+    const auto has_normals = [](const Primitive& primitive) {
+        return primitive.topology != Topology::triangles ||
+               primitive.normals.size() == primitive.positions.size();
+    };
+    const bool has_what_readers_add =
+        !scene.materials.empty() && std::ranges::all_of(scene.meshes, [&](const Mesh& mesh) {
+            return std::ranges::all_of(mesh.primitives, has_normals);
+        });
+    if (!has_what_readers_add || !structural_faults(scene).empty())
         throw Error("what was read from it came back damaged", where);
     make_printable(scene.warnings);
 }
