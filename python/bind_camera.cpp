@@ -248,9 +248,10 @@ std::string text_of(const CameraChoice& choice)
     }
 }
 
-/// Places a camera without the GIL. All arguments are copies, so other threads may change theirs meanwhile.
-CameraChoice placed_on(CameraChoice choice, std::shared_ptr<const LitScene> lit, Style style, CameraPage page,
-                       AnimationChoice animation)
+/// Places a camera without the GIL. The caller passes copies, because other threads may change what they were
+/// copied from meanwhile.
+CameraChoice placed_on(const CameraChoice& choice, const std::shared_ptr<const LitScene>& lit,
+                       const Style& style, CameraPage page, const AnimationChoice& animation)
 {
     const Unlocked unlocked;
     page.animation = find_animation(animation, lit->scene);
@@ -269,7 +270,7 @@ CameraChoice placed_in(const CameraChoice& choice_now, const py::object& scene, 
     const CameraPage page{.width = side_of(width, "width"),
                           .height = side_of(height, "height"),
                           .time_s = number_within(time_s, "time_s", -1e9, 1e9)};
-    return placed_on(choice_now, scene_argument(scene).snapshot(), style_of(style_now), page,
+    return placed_on(CameraChoice(choice_now), scene_argument(scene).snapshot(), style_of(style_now), page,
                      animation_choice_of(animation));
 }
 

@@ -249,7 +249,8 @@ Real4 leaf_cellular(Place p, uint first, Real spacing_m)
     for (int neighbour = 0; neighbour < 9; ++neighbour) {
         int iu = neighbour % 3 - 1;
         int iv = neighbour / 3 - 1;
-        uint bits = height_hash(p.cell_u + cell_number(base_u) + iu, p.cell_v + cell_number(base_v) + iv, seed);
+        uint bits =
+            height_hash(p.cell_u + cell_number(base_u) + iu, p.cell_v + cell_number(base_v) + iv, seed);
         Real du = fu - Real(iu) - hashed_unit(bits);
         Real dv = fv - Real(iv) - hashed_unit(hash(bits));
         Real square = du * du + dv * dv;
