@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/glm.hpp>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -72,6 +73,24 @@ std::vector<Vector> rows_of(const py::handle& value, const char* argument, py::s
 
 /// Converts three numbers, such as a point or a colour.
 [[nodiscard]] glm::dvec3 three_numbers(const py::handle& value, const char* argument);
+
+/// Returns the value of a name. Throws ValueError that lists the names if `name` is none of them.
+template <typename Value>
+Value choice_of(const std::string& name, const char* argument,
+                std::initializer_list<std::pair<const char*, Value>> choices)
+{
+    std::string names;
+    for (const auto& [known, value] : choices) {
+        if (name == known) {
+            return value;
+        }
+        const char* const separator = names.empty()                         ? ""
+                                      : known == (choices.end() - 1)->first ? " or "
+                                                                            : ", ";
+        names += fmt::format("{}\"{}\"", separator, known);
+    }
+    throw py::value_error(fmt::format("{}: \"{}\" is not {}", argument, name, names));
+}
 
 /// Checks a single number, and returns it. Throws ValueError unless `least` <= number <= `most`.
 double number_within(double number, const char* argument, double least, double most);

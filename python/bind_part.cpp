@@ -38,17 +38,9 @@ name of the argument. Cost: linear; about 1 s per million triangles if normals a
 
 Topology topology_of(const std::string& name)
 {
-    if (name == "triangles") {
-        return Topology::triangles;
-    }
-    if (name == "lines") {
-        return Topology::lines;
-    }
-    if (name == "points") {
-        return Topology::points;
-    }
-    throw py::value_error(
-        fmt::format("topology: \"{}\" is not \"triangles\", \"lines\" or \"points\"", name));
+    return choice_of<Topology>(
+        name, "topology",
+        {{"triangles", Topology::triangles}, {"lines", Topology::lines}, {"points", Topology::points}});
 }
 
 py::ssize_t vertices_of(Topology topology)
@@ -159,7 +151,7 @@ Part make_part(const py::object& positions, const py::object& indices, const py:
         normalise_normals(primitive.normals);
     } else if (has_triangles) {
         const Unlocked unlocked;
-        compute_normals(primitive, crease_deg);
+        compute_normals(primitive, static_cast<float>(glm::radians(crease_deg)));
     }
     return {std::move(primitive)};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // estampe.Scene: scenes from files, and scenes built of arrays.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -63,18 +62,13 @@ std::optional<UpAxis> up_axis_of(const std::optional<std::string>& text)
     if (!text) {
         return std::nullopt;
     }
-    constexpr std::array<std::pair<const char*, UpAxis>, 6> axes{{{"x", UpAxis::x},
-                                                                  {"y", UpAxis::y},
-                                                                  {"z", UpAxis::z},
-                                                                  {"-x", UpAxis::minus_x},
-                                                                  {"-y", UpAxis::minus_y},
-                                                                  {"-z", UpAxis::minus_z}}};
-    for (const auto& [name, axis] : axes) {
-        if (*text == name) {
-            return axis;
-        }
-    }
-    throw py::value_error(fmt::format("up: \"{}\" is not x, y, z, -x, -y or -z", *text));
+    return choice_of<UpAxis>(*text, "up",
+                             {{"x", UpAxis::x},
+                              {"y", UpAxis::y},
+                              {"z", UpAxis::z},
+                              {"-x", UpAxis::minus_x},
+                              {"-y", UpAxis::minus_y},
+                              {"-z", UpAxis::minus_z}});
 }
 
 SharedScene load(const py::object& path, const std::string& variant, const std::optional<std::string>& up,
@@ -107,16 +101,8 @@ std::vector<std::string> names_of(const std::vector<Named>& things)
 
 Wrap wrap_of(const std::string& name)
 {
-    if (name == "repeat") {
-        return Wrap::repeat;
-    }
-    if (name == "clamp") {
-        return Wrap::clamp;
-    }
-    if (name == "mirror") {
-        return Wrap::mirror;
-    }
-    throw py::value_error(fmt::format("wrap: \"{}\" is not \"repeat\", \"clamp\" or \"mirror\"", name));
+    return choice_of<Wrap>(name, "wrap",
+                           {{"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}, {"mirror", Wrap::mirror}});
 }
 
 size_t add_image(SharedScene& self, const py::object& pixels, const std::string& name,
@@ -131,16 +117,9 @@ size_t add_image(SharedScene& self, const py::object& pixels, const std::string&
 
 AlphaMode alpha_mode_of(const std::string& name)
 {
-    if (name == "opaque") {
-        return AlphaMode::opaque;
-    }
-    if (name == "mask") {
-        return AlphaMode::mask;
-    }
-    if (name == "blend") {
-        return AlphaMode::blend;
-    }
-    throw py::value_error(fmt::format("alpha_mode: \"{}\" is not \"opaque\", \"mask\" or \"blend\"", name));
+    return choice_of<AlphaMode>(
+        name, "alpha_mode",
+        {{"opaque", AlphaMode::opaque}, {"mask", AlphaMode::mask}, {"blend", AlphaMode::blend}});
 }
 
 glm::vec4 base_color_of(const py::object& value)
@@ -237,20 +216,11 @@ size_t add_mesh(SharedScene& self, const std::string& name, const py::object& pa
 
 LightType light_type_of(const std::string& name)
 {
-    if (name == "directional") {
-        return LightType::directional;
-    }
-    if (name == "point") {
-        return LightType::point;
-    }
-    if (name == "spot") {
-        return LightType::spot;
-    }
-    if (name == "ambient") {
-        return LightType::ambient;
-    }
-    throw py::value_error(
-        fmt::format("type: \"{}\" is not \"directional\", \"point\", \"spot\" or \"ambient\"", name));
+    return choice_of<LightType>(name, "type",
+                                {{"directional", LightType::directional},
+                                 {"point", LightType::point},
+                                 {"spot", LightType::spot},
+                                 {"ambient", LightType::ambient}});
 }
 
 size_t add_light(SharedScene& self, const std::string& type, const std::string& name, const py::object& color,

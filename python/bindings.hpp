@@ -83,14 +83,6 @@ struct Part {
     Primitive primitive;
 };
 
-/// Computes the normals of a triangle mesh. The normal of a corner is the average of the faces at the
-/// corner's position, weighted by their angles there. Only those faces count whose own normal differs by at
-/// most `crease_deg` from the normal of the corner's face: 0 shades every face flat, 180 shades the whole
-/// surface smoothly. Vertices whose corners get different normals are repeated, together with their other
-/// attributes. The number and order of triangles stay. Cost: linear in triangles, as
-/// not all pairs of faces are compared where more than a thousand of them meet.
-void compute_normals(Primitive& primitive, double crease_deg);
-
 /// What decides where a camera stands. Automatic: the first camera of the scene's file, or else framed.
 enum class CameraKind { automatic, framed, named, directed, placed };
 

@@ -170,9 +170,9 @@ public:
     [[nodiscard]] RasterPath raster_path() const;
 
     /// Uploads `scene`, which replaces the previous scene. A `lightmap` adds its light to static objects.
-    /// Throws Error with the first of the faults() of a scene that a program made wrongly; the previous scene
-    /// then stays. Throws Error if the scene exceeds the device's memory or limits, or if the lightmap
-    /// belongs to another scene; then there is no scene.
+    /// Throws Error with the first of the faults() of a scene that a program made wrongly, and keeps the
+    /// previous scene. Throws Error if the scene exceeds the device's memory or limits, or if the lightmap
+    /// belongs to another scene, and keeps no scene.
     void set_scene(const Scene& scene, const Lightmap* lightmap = nullptr);
 
     /// Replaces the terrain of the scene, including its graph, masks, mesh and colour; the rest of the scene

@@ -16,7 +16,6 @@
 #include "core/long_jobs.hpp"
 #include "frame/renderer_impl.hpp"
 #include "gpu/resources.hpp"
-#include "scene/faults.hpp"
 #include "scene/scene_limits.hpp"
 #include "techniques/contour/chains/chains.hpp"
 
@@ -47,7 +46,7 @@ RasterPath Renderer::raster_path() const
 
 void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
 {
-    require_no_faults(scene, scene.name);
+    check_faults(scene, scene.name);
     impl_->loaded.reset();
     impl_->posed_scene = {};
     impl_->features.invalidate(features::Event::scene_replaced);

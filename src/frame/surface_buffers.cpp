@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/surface_buffers.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
-#include <glm/gtc/packing.hpp>
 
 #include <estampe/surface_buffers.hpp>
 
@@ -36,20 +34,6 @@ void declare_surface_reading(gpu::Graph& graph, const surface::Surface& surface,
 }
 
 namespace {
-
-/// Decodes a normal as unpack_normal() of shaders/unit.glsl does.
-glm::vec3 unpacked_normal(uint32_t packed)
-{
-    const glm::vec2 folded = glm::unpackSnorm2x16(packed);
-    glm::vec3 normal(folded, 1.0F - std::abs(folded.x) - std::abs(folded.y));
-    if (normal.z < 0.0F) {
-        const glm::vec2 side(normal.x >= 0.0F ? 1.0F : -1.0F, normal.y >= 0.0F ? 1.0F : -1.0F);
-        const glm::vec2 unfolded = (1.0F - glm::abs(glm::vec2(normal.y, normal.x))) * side;
-        normal.x = unfolded.x;
-        normal.y = unfolded.y;
-    }
-    return glm::normalize(normal);
-}
 
 /// Converts reversed depth to the distance from the eye along the axis of view.
 class Distance {
@@ -156,7 +140,7 @@ SurfaceBuffers Renderer::render_buffers(const Camera& camera, const Style& style
                 continue;
             }
             buffers.depth_m[i] = distance.of(depths[i]);
-            buffers.normals[i] = frame::unpacked_normal(normals[i].x);
+            buffers.normals[i] = pose::unpack_normal(normals[i].x);
             buffers.objects[i] = things.at(number - 1).object;
             buffers.materials[i] = things.at(number - 1).material;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "scene/faults.hpp"
+// Finds what is wrong with a scene that a program made, or that another process sent.
+#include "scene/scene_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,22 @@ std::string item(const char* array, size_t index, const std::string& name)
                         : fmt::format("{}[{}] \"{}\"", array, index, name);
 }
 
+/// Calls `check` with each material, primitive and node of a scene, and with a function that returns its
+/// name.
+template <typename Check>
+void visit_items(const Scene& scene, Check& check)
+{
+    for (size_t i = 0; i < scene.materials.size(); ++i)
+        check.material(scene.materials[i], [&] { return item("materials", i, scene.materials[i].name); });
+    for (size_t i = 0; i < scene.meshes.size(); ++i)
+        for (size_t k = 0; k < scene.meshes[i].primitives.size(); ++k)
+            check.primitive(scene.meshes[i].primitives[k], [&] {
+                return fmt::format("{}, primitives[{}]", item("meshes", i, scene.meshes[i].name), k);
+            });
+    for (size_t i = 0; i < scene.nodes.size(); ++i)
+        check.node(scene.nodes[i], [&] { return item("nodes", i, scene.nodes[i].name); });
+}
+
 /// Returns the highest index; 0 if there is none. The loop has no branch, so that the compiler uses vector
 /// instructions.
 uint32_t highest(std::span<const uint32_t> indices)
@@ -68,16 +85,8 @@ public:
     {
         for (size_t i = 0; i < scene_.textures.size(); ++i)
             faults_.expect(is_well_formed(scene_.textures[i].image), [&] { return texture_fault(i); });
-        for (size_t i = 0; i < scene_.materials.size(); ++i)
-            material(scene_.materials[i], [&] { return item("materials", i, scene_.materials[i].name); });
-        for (size_t i = 0; i < scene_.meshes.size(); ++i)
-            for (size_t k = 0; k < scene_.meshes[i].primitives.size(); ++k)
-                primitive(scene_.meshes[i].primitives[k], [&] {
-                    return fmt::format("{}, primitives[{}]", item("meshes", i, scene_.meshes[i].name), k);
-                });
+        visit_items(scene_, *this);
         forest();
-        for (size_t i = 0; i < scene_.nodes.size(); ++i)
-            node(scene_.nodes[i], [&] { return item("nodes", i, scene_.nodes[i].name); });
         for (size_t i = 0; i < scene_.skins.size(); ++i)
             skin(scene_.skins[i], [&] { return item("skins", i, scene_.skins[i].name); });
         for (size_t i = 0; i < scene_.animations.size(); ++i)
@@ -95,6 +104,9 @@ public:
     }
 
 private:
+    template <typename Check>
+    friend void visit_items(const Scene& scene, Check& check);
+
     [[nodiscard]] std::string texture_fault(size_t i) const
     {
         const Texture& texture = scene_.textures[i];
@@ -368,30 +380,32 @@ public:
 
     std::vector<std::string> run()
     {
-        for (size_t i = 0; i < scene_.materials.size(); ++i)
-            material(scene_.materials[i], [&] { return item("materials", i, scene_.materials[i].name); });
-        for (size_t i = 0; i < scene_.meshes.size(); ++i)
-            for (size_t k = 0; k < scene_.meshes[i].primitives.size(); ++k)
-                primitive(scene_.meshes[i].primitives[k], [&] {
-                    return fmt::format("{}, primitives[{}]", item("meshes", i, scene_.meshes[i].name), k);
-                });
-        for (size_t i = 0; i < scene_.nodes.size(); ++i)
-            node(scene_.nodes[i], [&] { return item("nodes", i, scene_.nodes[i].name); });
+        visit_items(scene_, *this);
+        for (size_t i = 0; i < scene_.skins.size(); ++i)
+            expect(
+                std::ranges::all_of(scene_.skins[i].joint_from_bind,
+                                    [](const glm::mat4& matrix) { return are_finite(glm::dmat4(matrix)); }),
+                [&] { return item("skins", i, scene_.skins[i].name); }, "joint_from_bind is not finite");
         for (size_t i = 0; i < scene_.lights.size(); ++i)
             light(scene_.lights[i], [&] { return item("lights", i, scene_.lights[i].name); });
         for (size_t i = 0; i < scene_.cameras.size(); ++i)
             camera(scene_.cameras[i], [&] { return item("cameras", i, scene_.cameras[i].name); });
-        for (size_t i = 0; i < scene_.animations.size(); ++i)
-            for (const AnimationChannel& channel : scene_.animations[i].channels)
-                expect(
-                    are_finite(std::span(channel.times_s)) && are_finite(std::span(channel.values)),
-                    [&] { return item("animations", i, scene_.animations[i].name); },
-                    "a channel has times or values that are not finite");
+        for (size_t i = 0; i < scene_.animations.size(); ++i) {
+            const Animation& animation = scene_.animations[i];
+            const auto where = [&] { return item("animations", i, animation.name); };
+            expect(std::isfinite(animation.duration_s), where, "its duration is not finite");
+            for (const AnimationChannel& channel : animation.channels)
+                expect(are_finite(std::span(channel.times_s)) && are_finite(std::span(channel.values)), where,
+                       "a channel has times or values that are not finite");
+        }
         rooms();
         return faults_.take();
     }
 
 private:
+    template <typename Check>
+    friend void visit_items(const Scene& scene, Check& check);
+
     template <typename Where>
     void expect(bool holds, const Where& where, const char* what)
     {
@@ -507,7 +521,7 @@ std::vector<std::string> faults(const Scene& scene)
     return all;
 }
 
-void require_no_faults(const Scene& scene, const std::string& where)
+void check_faults(const Scene& scene, const std::string& where)
 {
     const std::vector<std::string> all = faults(scene);
     if (all.empty())

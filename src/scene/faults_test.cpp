@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is found in scenes that a program made. The tests of crossing.hpp damage each array and index in turn.
-#include "scene/faults.hpp"
+#include "scene/scene_limits.hpp"
 
 #include <cmath>
 #include <functional>
@@ -43,7 +43,7 @@ std::string fault_after(const std::function<void(Scene&)>& damage)
 TEST(Faults, ASoundSceneHasNone)
 {
     EXPECT_EQ(faults(sound_scene()), std::vector<std::string>());
-    EXPECT_NO_THROW(require_no_faults(sound_scene(), "here"));
+    EXPECT_NO_THROW(check_faults(sound_scene(), "here"));
 }
 
 TEST(Faults, NameThePlaceAndTheNumbers)
@@ -104,7 +104,7 @@ TEST(Faults, AreListedUpToAHundredAndTheFirstIsThrown)
     }
     EXPECT_EQ(faults(scene).size(), 100U);
     try {
-        require_no_faults(scene, "here");
+        check_faults(scene, "here");
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(std::string(error.what()).find("here: nodes["), 0U) << error.what();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Limits of the scenes that can be drawn: distance from the origin, size, and number of vertices.
+// Checks of the scenes that can be drawn: distance from the origin, size, number of vertices, and the
+// structure of scenes that did not come from a reader of this library.
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <estampe/scene.hpp>
 
@@ -30,6 +32,15 @@ void check_places(const Scene& scene, const ScenePose& pose);
 /// Throws Error unless the numbers of the camera are finite and within the limits, and its view direction and
 /// up vector are well defined.
 void check_camera(const Camera& camera);
+
+/// Returns those of the faults(scene) that would make code which draws the scene read outside of an array or
+/// run forever: indices out of range, arrays whose lengths disagree, and nodes that form no forest. Cost:
+/// linear in indices and nodes.
+[[nodiscard]] std::vector<std::string> structural_faults(const Scene& scene);
+
+/// Throws Error that names the first of the faults(scene), if there is one. `where` is the place of the
+/// Error.
+void check_faults(const Scene& scene, const std::string& where);
 
 /// Number of vertices and triangles to draw. A mesh counts once for each node or instance that shows it.
 struct DrawnSize {

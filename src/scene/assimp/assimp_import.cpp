@@ -331,8 +331,6 @@ void give_lights_units(Scene& scene)
         const glm::dvec3 place(pose.world_from_node[index][3]);
         const double distance_m = std::max(glm::distance(place, bounds.center()), 0.5 * bounds.radius());
         light.intensity *= static_cast<float>(distance_m * distance_m);
-        light.outer_cone_rad = std::clamp(light.outer_cone_rad, 0.01F, 1.57F);
-        light.inner_cone_rad = std::clamp(light.inner_cone_rad, 0.0F, light.outer_cone_rad);
     }
 }
 
@@ -346,9 +344,9 @@ Scene load_with_assimp(const std::filesystem::path& path, const ReadScope& scope
     UndecodedScene undecoded = read_naming_file(path, scope);
     Scene& scene = undecoded.scene;
     mend_meshes(scene, path.string());
-    check_structure(scene, path.string());
     FileFinder finder({path.parent_path()}, scope);
     load_pictures(scene, undecoded.images, finder);
+    check_structure(scene, path.string());
     give_lights_units(scene);
     return std::move(scene);
 }

@@ -340,11 +340,11 @@ void convert_lights(Conversion& conversion)
         }
         const aiColor3D& color = source.mColorDiffuse;
         light.intensity = std::max({color.r, color.g, color.b});
-        if (!(light.intensity > 0.0F))
+        if (!(light.intensity > 0.0F && std::isfinite(light.intensity)))
             continue;
-        light.color = glm::vec3(color.r, color.g, color.b) / light.intensity;
-        light.inner_cone_rad = 0.5F * source.mAngleInnerCone;
-        light.outer_cone_rad = 0.5F * source.mAngleOuterCone;
+        light.color = glm::max(glm::vec3(color.r, color.g, color.b) / light.intensity, 0.0F);
+        light.outer_cone_rad = std::clamp(0.5F * source.mAngleOuterCone, 0.01F, 1.57F);
+        light.inner_cone_rad = std::clamp(0.5F * source.mAngleInnerCone, 0.0F, light.outer_cone_rad);
         const Index node = add_looking_node(conversion, source.mName, exact(source.mPosition),
                                             exact(source.mDirection), exact(source.mUp));
         if (node == no_index)

@@ -484,4 +484,9 @@ void make_crease_normals(Primitive& primitive, float crease_rad, std::span<const
     primitive.normals = std::move(normals);
 }
 
+void compute_normals(Primitive& primitive, float crease_rad)
+{
+    make_crease_normals(primitive, crease_rad);
+}
+
 } // namespace estampe

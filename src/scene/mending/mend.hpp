@@ -90,8 +90,7 @@ void make_crease_normals(Primitive& primitive, float crease_rad, std::span<const
 /// Merges vertices whose attributes are all equal.
 void share_vertices(Primitive& primitive);
 
-/// Checks that every index of the scene is in range, that nodes form a forest, and that animations are well
-/// formed. Throws Error with `where` as its place.
+/// Throws Error with `where` as its place if the scene, whose pictures are decoded, has faults().
 void check_structure(const Scene& scene, const std::string& where);
 
 /// Repairs all meshes of a scene with mend_primitive(), and removes primitives with nothing to draw.

@@ -130,13 +130,13 @@ Scene import_ply(Input& input, const std::filesystem::path* path, const ReadScop
     mesh.name = scene.name;
     add_primitives(data, node.transform.translation, mesh.primitives);
     data = {};
-    finish_import(scene, input.name());
     std::vector<ImageSource> sources;
     for (const Texture& texture : scene.textures)
         sources.push_back({.file = texture.name, .bytes = {}});
     FileFinder finder(
         path != nullptr ? std::vector{path->parent_path()} : std::vector<std::filesystem::path>{}, scope);
     load_pictures(scene, sources, finder);
+    finish_import(scene, input.name());
     return scene;
 }
 

@@ -7,7 +7,7 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/faults.hpp"
+#include "scene/scene_limits.hpp"
 
 namespace estampe {
 namespace {
